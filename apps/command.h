@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace cvo_slam {
+
+/// What a parsed subcommand does; the result is the exit code of the program.
+using Action = std::function<int()>;
+
+/// Exit codes of the program (docs/architecture.md, "The command line").
+enum ExitCode : int {
+  kDone = 0,
+  kFailed = 1,
+  kBadInput = 2,
+  kTrackingLost = 3,
+  kInterrupted = 130,
+};
+
+// Each add_<name>_command() declares one subcommand and its options; when the command line names
+// it, `action` is set.
+
+}  // namespace cvo_slam

@@ -1,0 +1,15 @@
+# SPDX-FileCopyrightText: 2026 The cvo_slam authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# find_package(cvo_slam) for what was installed by the rooms.
+
+include(CMakePackageConfigHelpers)
+set(CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cvo_slam)
+install(EXPORT cvo_slam_targets NAMESPACE cvo_slam:: DESTINATION ${CONFIG_DIR})
+configure_package_config_file(cmake/cvo_slam-config.cmake.in
+                              ${PROJECT_BINARY_DIR}/cvo_slam-config.cmake
+                              INSTALL_DESTINATION ${CONFIG_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cvo_slam-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/cvo_slam-config.cmake
+              ${PROJECT_BINARY_DIR}/cvo_slam-config-version.cmake DESTINATION ${CONFIG_DIR})

@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: 2026 The cvo_slam authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Makes the headers of a top-level folder available as cvo_slam/<folder>/<file>.h in the build tree.
+function(cvo_slam_link_folder FOLDER)
+  set(LINK_DIR ${PROJECT_BINARY_DIR}/include/cvo_slam)
+  file(MAKE_DIRECTORY ${LINK_DIR})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${FOLDER} ${LINK_DIR}/${FOLDER} SYMBOLIC)
+endfunction()
+
+# cvo_slam_room(<name> [FOLDER <dir below the source root>]
+#               SOURCES ... PUBLIC_HEADERS ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
+#
+# One room = one library target cvo_slam::<name>. Includes are spelled cvo_slam/<room>/<file>.h in
+# the tree and after installation alike: in the tree through a link <build>/include/cvo_slam/<room>.
+# Only PUBLIC_HEADERS are installed; the others are named *_internal.h.
+function(cvo_slam_room NAME)
+  cmake_parse_arguments(ROOM "" "FOLDER" "SOURCES;PUBLIC_HEADERS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
+                        ${ARGN})
+  if(NOT ROOM_FOLDER)
+    set(ROOM_FOLDER ${NAME})
+  endif()
+  string(REGEX REPLACE "/.*" "" TOP_FOLDER ${ROOM_FOLDER})
+  cvo_slam_link_folder(${TOP_FOLDER})
+
+  set(TARGET cvo_slam_${NAME})
+  add_library(${TARGET} ${ROOM_SOURCES})
+  add_library(cvo_slam::${NAME} ALIAS ${TARGET})
+  set_target_properties(${TARGET} PROPERTIES EXPORT_NAME ${NAME} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(${TARGET} PUBLIC cxx_std_20)
+  target_link_libraries(
+    ${TARGET}
+    PUBLIC ${ROOM_PUBLIC_LIBRARIES}
+    PRIVATE ${ROOM_PRIVATE_LIBRARIES} $<BUILD_INTERFACE:cvo_slam_settings>)
+  target_include_directories(
+    ${TARGET} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+                     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+
+  install(TARGETS ${TARGET} EXPORT cvo_slam_targets)
+  install(FILES ${ROOM_PUBLIC_HEADERS}
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${ROOM_FOLDER})
+endfunction()

@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: 2026 The cvo_slam authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Compiler settings that every target of the project shares, as one interface target.
+
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+add_library(cvo_slam_settings INTERFACE)
+target_compile_features(cvo_slam_settings INTERFACE cxx_std_20)
+# No -march, no -ffast-math: the same bytes on every machine, and Eigen's alignment stays the
+# embedder's. Contraction is off so that a compiler with FMA does not round differently.
+target_compile_options(cvo_slam_settings INTERFACE -ffp-contract=off)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(cvo_slam_settings INTERFACE -Wall -Wextra -Wconversion -Wshadow)
+endif()
+if(CVO_SLAM_WERROR)
+  target_compile_options(cvo_slam_settings INTERFACE -Werror)
+endif()
+if(CVO_SLAM_SANITIZE)
+  target_compile_options(cvo_slam_settings INTERFACE -fsanitize=${CVO_SLAM_SANITIZE}
+                                                     -fno-omit-frame-pointer)
+  target_link_options(cvo_slam_settings INTERFACE -fsanitize=${CVO_SLAM_SANITIZE})
+endif()

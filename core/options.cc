@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/core/options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+namespace {
+
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+template <typename T>
+std::optional<T> parse_number(std::string_view text) {
+  T value{};
+  const std::string_view trimmed = trim(text);
+  const auto [end, error] = std::from_chars(trimmed.data(), trimmed.data() + trimmed.size(), value);
+  if (error != std::errc() || end != trimmed.data() + trimmed.size()) return std::nullopt;
+  return value;
+}
+
+template <typename T>
+std::string describe_range(const Range<T>& range) {
+  const bool has_min = range.min > std::numeric_limits<T>::lowest();
+  const bool has_max = range.max < std::numeric_limits<T>::max();
+  if (has_min && has_max) return fmt::format("{} to {}", range.min, range.max);
+  if (has_min) return fmt::format("at least {}", range.min);
+  if (has_max) return fmt::format("at most {}", range.max);
+  return "any number";
+}
+
+[[noreturn]] void fail(const std::string& key, std::string_view text, const std::string& allowed) {
+  throw OptionError(fmt::format("{}={}: the value must be {}", key, trim(text), allowed));
+}
+
+template <typename T>
+T parse_in_range(const std::string& key, std::string_view text, const Range<T>& range) {
+  const auto value = parse_number<T>(text);
+  // Written so that NaN fails.
+  if (!value || !(*value >= range.min && *value <= range.max))
+    fail(key, text, describe_range(range));
+  return *value;
+}
+
+std::vector<double> parse_list(const std::string& key, std::string_view text,
+                               const Range<double>& range) {
+  const std::string allowed = fmt::format("a list [a, b, ...] of values {}", describe_range(range));
+  std::string_view rest = trim(text);
+  if (rest.size() < 2 || rest.front() != '[' || rest.back() != ']') fail(key, text, allowed);
+  rest = rest.substr(1, rest.size() - 2);
+  std::vector<double> values;
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    values.push_back(parse_in_range(key, rest.substr(0, comma), range));
+    if (comma == std::string_view::npos) return values;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto nearest =
+      std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+        return edit_distance(word, a) < edit_distance(word, b);
+      });
+  return nearest == candidates.end() ? std::string() : *nearest;
+}
+
+OptionSet& OptionSet::add(std::string key, bool& value, std::string doc) {
+  const auto set = [&value, key](std::string_view text) {
+    const std::string_view word = trim(text);
+    if (word != "true" && word != "false") fail(key, text, "true or false");
+    value = word == "true";
+  };
+  options_.push_back({key, "", "true or false", std::move(doc),
+                      [&value] { return std::string(value ? "true" : "false"); }, set});
+  return *this;
+}
+
+OptionSet& OptionSet::add(std::string key, int& value, Range<int> range, std::string unit,
+                          std::string doc) {
+  const auto set = [&value, key, range](std::string_view text) {
+    value = parse_in_range(key, text, range);
+  };
+  options_.push_back({key, std::move(unit), describe_range(range), std::move(doc),
+                      [&value] { return fmt::format("{}", value); }, set});
+  return *this;
+}
+
+OptionSet& OptionSet::add(std::string key, double& value, Range<double> range, std::string unit,
+                          std::string doc) {
+  const auto set = [&value, key, range](std::string_view text) {
+    value = parse_in_range(key, text, range);
+  };
+  options_.push_back({key, std::move(unit), describe_range(range), std::move(doc),
+                      [&value] { return fmt::format("{}", value); }, set});
+  return *this;
+}
+
+OptionSet& OptionSet::add(std::string key, std::vector<double>& value, Range<double> range,
+                          std::string unit, std::string doc) {
+  const auto set = [&value, key, range](std::string_view text) {
+    value = parse_list(key, text, range);
+  };
+  options_.push_back({key, std::move(unit), fmt::format("list, {}", describe_range(range)),
+                      std::move(doc),
+                      [&value] { return fmt::format("[{}]", fmt::join(value, ", ")); }, set});
+  return *this;
+}
+
+OptionSet& OptionSet::add_choice(std::string key, std::vector<std::string> names,
+                                 const std::function<std::size_t()>& index_of_value,
+                                 const std::function<void(std::size_t)>& set_index,
+                                 std::string doc) {
+  const std::string allowed = fmt::format("one of {}", fmt::join(names, ", "));
+  const auto get = [names, index_of_value] {
+    const std::size_t i = index_of_value();
+    return i < names.size() ? names[i] : std::string("(invalid)");
+  };
+  const auto set = [key, names, allowed, set_index](std::string_view text) {
+    const auto found = std::find(names.begin(), names.end(), trim(text));
+    if (found == names.end()) fail(key, text, allowed);
+    set_index(static_cast<std::size_t>(found - names.begin()));
+  };
+  options_.push_back({std::move(key), "", allowed, std::move(doc), get, set});
+  return *this;
+}
+
+OptionSet& OptionSet::add(const std::string& prefix, const OptionSet& nested) {
+  for (Option option : nested.options_) {
+    option.key = prefix + "." + option.key;
+    options_.push_back(std::move(option));
+  }
+  return *this;
+}
+
+const Option& OptionSet::find(std::string_view key) const {
+  const auto found = std::find_if(options_.begin(), options_.end(),
+                                  [&](const Option& option) { return option.key == key; });
+  if (found != options_.end()) return *found;
+  std::vector<std::string> keys;
+  for (const auto& option : options_) keys.push_back(option.key);
+  throw OptionError(
+      fmt::format("unknown option '{}'; did you mean '{}'?", key, nearest_name(key, keys)));
+}
+
+std::string OptionSet::get(std::string_view key) const { return find(key).get(); }
+
+void OptionSet::set(std::string_view key, std::string_view text) const {
+  const Option& option = find(key);
+  try {
+    option.set(text);
+  } catch (const OptionError&) {
+    fail(option.key, text, option.allowed);  // with the full, prefixed key
+  }
+}
+
+void OptionSet::check() const {
+  for (const auto& option : options_) set(option.key, option.get());
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cvo_slam {
+
+/// Closed interval of permitted values.
+template <typename T>
+struct Range {
+  T min = std::numeric_limits<T>::lowest();
+  T max = std::numeric_limits<T>::max();
+};
+
+/// One option of an options struct, with its type erased: what a YAML reader, `--set`, a help page
+/// or a language binding needs to know of it.
+struct Option {
+  std::string key;      ///< dotted path, e.g. "registration.solver"
+  std::string unit;     ///< "m", "rad", "px", ... or empty
+  std::string allowed;  ///< range or choices, for people
+  std::string doc;      ///< what it is and why its default is what it is
+  std::function<std::string()> get;
+  /// Parses and stores; throws OptionError where the text is not a permitted value.
+  std::function<void(std::string_view)> set;
+};
+
+/// The options of a struct by name. Each options struct has one function
+/// `OptionSet describe(Struct&)` which lists its members once; YAML files, `--set key=value`,
+/// range checks, `--dump-config` and the manual's tables are all made from that list.
+/// The set refers to the described struct, which must outlive it.
+class OptionSet {
+ public:
+  /// Text and value of one choice of an enumeration.
+  template <typename E>
+  using Choices = std::vector<std::pair<std::string, E>>;
+
+  OptionSet& add(std::string key, bool& value, std::string doc);
+  OptionSet& add(std::string key, int& value, Range<int> range, std::string unit, std::string doc);
+  OptionSet& add(std::string key, double& value, Range<double> range, std::string unit,
+                 std::string doc);
+  /// A list is written "[a, b, c]"; `range` holds for each element; it must not be empty.
+  OptionSet& add(std::string key, std::vector<double>& value, Range<double> range, std::string unit,
+                 std::string doc);
+  template <typename E>
+  OptionSet& add(std::string key, E& value, Choices<E> choices, std::string doc);
+  /// All options of a nested struct, their keys prefixed by "prefix.".
+  OptionSet& add(const std::string& prefix, const OptionSet& nested);
+
+  [[nodiscard]] const std::vector<Option>& options() const { return options_; }
+  [[nodiscard]] std::string get(std::string_view key) const;
+  /// Throws OptionError for an unknown key (the message names the nearest one) or a bad value.
+  void set(std::string_view key, std::string_view text) const;
+  /// Throws OptionError where a value set by code instead of set() is out of range.
+  void check() const;
+
+ private:
+  OptionSet& add_choice(std::string key, std::vector<std::string> names,
+                        const std::function<std::size_t()>& index_of_value,
+                        const std::function<void(std::size_t)>& set_index, std::string doc);
+  [[nodiscard]] const Option& find(std::string_view key) const;
+
+  std::vector<Option> options_;
+};
+
+template <typename E>
+OptionSet& OptionSet::add(std::string key, E& value, Choices<E> choices, std::string doc) {
+  std::vector<std::string> names;
+  for (const auto& choice : choices) names.push_back(choice.first);
+  const auto index_of_value = [&value, choices] {
+    std::size_t i = 0;
+    while (i < choices.size() && choices[i].second != value) ++i;
+    return i;
+  };
+  const auto set_index = [&value, choices](std::size_t i) { value = choices[i].second; };
+  return add_choice(std::move(key), std::move(names), index_of_value, set_index, std::move(doc));
+}
+
+/// The candidate with the smallest edit distance to `word`; empty where there is no candidate.
+[[nodiscard]] std::string nearest_name(std::string_view word,
+                                       const std::vector<std::string>& candidates);
+
+}  // namespace cvo_slam

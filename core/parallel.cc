@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/core/parallel.h"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace cvo_slam {
+
+struct Executor::Arena {
+  explicit Arena(int threads) : arena(threads) {}
+  tbb::task_arena arena;
+};
+
+Executor::Executor(int threads) : threads_(std::max(1, threads)) {
+  if (threads_ > 1) arena_ = std::make_unique<Arena>(threads_);
+}
+
+Executor::~Executor() = default;
+Executor::Executor(Executor&&) noexcept = default;
+Executor& Executor::operator=(Executor&&) noexcept = default;
+
+void Executor::for_each_chunk(
+    std::size_t n, std::size_t chunk_size,
+    const std::function<void(std::size_t, std::size_t, std::size_t)>& f) const {
+  const std::size_t chunks = chunk_count(n, chunk_size);
+  const auto run = [&](std::size_t chunk) {
+    f(chunk, chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size));
+  };
+  if (!arena_) {
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) run(chunk);
+    return;
+  }
+  arena_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run); });
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace cvo_slam {
+
+/// Runs loops on a bounded number of threads with results that do not depend on that number: the
+/// range is cut into chunks of a fixed size, each chunk writes to its own slot, and the caller
+/// combines the slots in order. One executor per user object; there is no process-wide setting.
+class Executor {
+ public:
+  /// `threads` >= 1; with 1 everything runs in the calling thread.
+  explicit Executor(int threads = 1);
+  ~Executor();
+  Executor(Executor&&) noexcept;
+  Executor& operator=(Executor&&) noexcept;
+
+  [[nodiscard]] int threads() const { return threads_; }
+
+  /// Calls f(chunk, begin, end) for each chunk of [0, n), in any order, and returns when all are
+  /// done. There are chunk_count(n, chunk_size) chunks; the last may be shorter.
+  void for_each_chunk(std::size_t n, std::size_t chunk_size,
+                      const std::function<void(std::size_t, std::size_t, std::size_t)>& f) const;
+
+  [[nodiscard]] static std::size_t chunk_count(std::size_t n, std::size_t chunk_size) {
+    return (n + chunk_size - 1) / chunk_size;
+  }
+
+ private:
+  struct Arena;
+  int threads_;
+  std::unique_ptr<Arena> arena_;  // empty with one thread
+};
+
+}  // namespace cvo_slam

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace cvo_slam {
+
+using Vector3 = Eigen::Vector3d;
+using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+using Matrix3 = Eigen::Matrix3d;
+/// Unaligned on purpose: the layout of public structs must not depend on the embedder's -m flags.
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
+
+/// The skew-symmetric matrix w^ with w^ p = w x p.
+Matrix3 skew(const Vector3& w);
+
+/// A rigid motion: the pose T_a_b maps points of frame b to frame a, p_a = T_a_b * p_b.
+///
+/// Tangent vectors are [translation; rotation] (metres, radians); exp and log are those of the
+/// group SE(3), not of R^3 x SO(3). Perturbations act on the right, T * exp(xi), unless a name says
+/// otherwise. Rotation and translation are kept as a 3x3 matrix and a 3-vector, neither of which
+/// Eigen aligns, so that the type's layout is the same under any compiler flags.
+class SE3 {
+ public:
+  /// The identity.
+  SE3() = default;
+  /// `rotation` must be orthonormal with determinant +1; see from_matrix for one that is not quite.
+  SE3(const Matrix3& rotation, const Vector3& translation)
+      : rotation_(rotation), translation_(translation) {}
+
+  /// Unit quaternion in the order of TUM files; it is normalised here.
+  static SE3 from_quaternion(double qx, double qy, double qz, double qw,
+                             const Vector3& translation);
+  /// Rounds the upper left 3x3 block to the nearest rotation (SVD).
+  static SE3 from_matrix(const Eigen::Matrix4d& matrix);
+  static SE3 exp(const Vector6& tangent);
+
+  [[nodiscard]] const Matrix3& rotation() const { return rotation_; }
+  [[nodiscard]] const Vector3& translation() const { return translation_; }
+  /// (x, y, z, w) with w >= 0.
+  [[nodiscard]] Eigen::Vector4d quaternion() const;
+  [[nodiscard]] Eigen::Matrix4d matrix() const;
+  /// The rotation angle in [0, pi] [rad].
+  [[nodiscard]] double angle() const;
+
+  [[nodiscard]] SE3 inverse() const;
+  [[nodiscard]] Vector6 log() const;
+  /// Ad with T exp(xi) T^-1 = exp(Ad xi).
+  [[nodiscard]] Matrix6 adjoint() const;
+  /// The nearest proper rotation; removes what rounding accumulates over long products.
+  [[nodiscard]] SE3 normalized() const;
+
+  SE3 operator*(const SE3& other) const {
+    return {rotation_ * other.rotation_, rotation_ * other.translation_ + translation_};
+  }
+  Vector3 operator*(const Vector3& point) const { return rotation_ * point + translation_; }
+
+ private:
+  Matrix3 rotation_ = Matrix3::Identity();
+  Vector3 translation_ = Vector3::Zero();
+};
+
+/// exp and log of SO(3); |log| <= pi.
+Matrix3 so3_exp(const Vector3& w);
+Vector3 so3_log(const Matrix3& rotation);
+
+/// J_l with exp(xi + d) = exp(J_l(xi) d) exp(xi) to first order in d (and its inverse).
+Matrix6 left_jacobian(const Vector6& xi);
+Matrix6 left_jacobian_inverse(const Vector6& xi);
+/// J_r with exp(xi + d) = exp(xi) exp(J_r(xi) d) to first order in d (and its inverse).
+Matrix6 right_jacobian(const Vector6& xi);
+Matrix6 right_jacobian_inverse(const Vector6& xi);
+
+/// The point at `s` on the geodesic from a (s = 0) to b (s = 1): a exp(s log(a^-1 b)).
+SE3 interpolate(const SE3& a, const SE3& b, double s);
+
+}  // namespace cvo_slam

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cvo_slam {
+
+/// A point in time in integer nanoseconds, which remembers with how many decimals of a second it
+/// was written, so that a stamp read from a file is written back with the same digits.
+/// Comparison looks at the time alone.
+class Timestamp {
+ public:
+  static constexpr int kMaxDecimals = 9;
+
+  constexpr Timestamp() = default;
+  /// `decimals` in [0, 9]: how many digits to_string() prints after the point.
+  constexpr explicit Timestamp(std::int64_t nanoseconds, int decimals = 6)
+      : nanoseconds_(nanoseconds), decimals_(decimals) {}
+
+  /// Seconds in decimal ("1305031229.528748") or scientific notation. Digits beyond the nanosecond
+  /// are rounded away. Empty result where the text is not a finite number that fits.
+  static std::optional<Timestamp> parse(std::string_view text);
+  static Timestamp from_seconds(double seconds, int decimals = 6);
+
+  [[nodiscard]] constexpr std::int64_t nanoseconds() const { return nanoseconds_; }
+  [[nodiscard]] constexpr double seconds() const {
+    return static_cast<double>(nanoseconds_) * 1e-9;
+  }
+  [[nodiscard]] std::string to_string() const;
+
+  constexpr auto operator<=>(const Timestamp& other) const {
+    return nanoseconds_ <=> other.nanoseconds_;
+  }
+  constexpr bool operator==(const Timestamp& other) const {
+    return nanoseconds_ == other.nanoseconds_;
+  }
+
+ private:
+  std::int64_t nanoseconds_ = 0;
+  int decimals_ = 6;
+};
+
+/// a - b in seconds, exact to the nanosecond.
+constexpr double seconds_between(const Timestamp& b, const Timestamp& a) {
+  return static_cast<double>(a.nanoseconds() - b.nanoseconds()) * 1e-9;
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/core/timestamp.h"
+
+namespace cvo_slam {
+
+struct StampedPose {
+  Timestamp stamp;
+  SE3 T_world_camera;
+};
+
+/// A frame that has no pose, and why.
+struct LostFrame {
+  Timestamp stamp;
+  std::string reason;
+};
+
+/// The path of a camera. Both lists are in ascending order of stamps; no stamp occurs twice.
+struct Trajectory {
+  std::vector<StampedPose> poses;
+  std::vector<LostFrame> lost;
+};
+
+/// Sum of the distances between consecutive positions [m].
+[[nodiscard]] inline double path_length(const std::vector<StampedPose>& poses) {
+  double length = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    length +=
+        (poses[i].T_world_camera.translation() - poses[i - 1].T_world_camera.translation()).norm();
+  }
+  return length;
+}
+
+}  // namespace cvo_slam

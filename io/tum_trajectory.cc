@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/io/tum_trajectory.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+namespace {
+
+std::optional<double> parse_finite(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+StampedPose parse_pose(const std::vector<std::string>& words, const std::filesystem::path& file,
+                       long line) {
+  constexpr std::size_t kValues = 8;
+  if (words.size() != kValues) {
+    throw InputError(
+        file, line,
+        fmt::format("expected 8 values 'stamp tx ty tz qx qy qz qw', found {}", words.size()));
+  }
+  const auto stamp = Timestamp::parse(words[0]);
+  if (!stamp) {
+    throw InputError(file, line, fmt::format("'{}' is not a time stamp in seconds", words[0]));
+  }
+  std::array<double, 7> value{};
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const auto parsed = parse_finite(words[i + 1]);
+    if (!parsed) {
+      throw InputError(
+          file, line,
+          fmt::format("'{}' is not a finite number; repair or remove the line", words[i + 1]));
+    }
+    value[i] = *parsed;
+  }
+  const auto& [tx, ty, tz, qx, qy, qz, qw] = value;
+  if (qx * qx + qy * qy + qz * qz + qw * qw < 1e-12) {
+    throw InputError(file, line, "the quaternion has length zero; repair or remove the line");
+  }
+  return {*stamp, SE3::from_quaternion(qx, qy, qz, qw, {tx, ty, tz})};
+}
+
+std::string format_pose(const StampedPose& pose) {
+  const Vector3& t = pose.T_world_camera.translation();
+  const Eigen::Vector4d q = pose.T_world_camera.quaternion();
+  return fmt::format("{} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f}\n",
+                     pose.stamp.to_string(), t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w());
+}
+
+}  // namespace
+
+std::vector<StampedPose> read_tum(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw InputError(file, "cannot be opened; check the path");
+  std::vector<StampedPose> poses;
+  long line_number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++line_number;
+    const auto words = split(line);
+    if (words.empty() || words.front().front() == '#') continue;
+    poses.push_back(parse_pose(words, file, line_number));
+    if (poses.size() > 1 && poses[poses.size() - 2].stamp >= poses.back().stamp) {
+      throw InputError(file, line_number,
+                       fmt::format("stamp {} is not after the one before it; sort the file by time "
+                                   "and remove duplicates",
+                                   words[0]));
+    }
+  }
+  return poses;
+}
+
+void write_tum(const std::filesystem::path& file, const Trajectory& trajectory) {
+  std::string text = "# stamp tx ty tz qx qy qz qw (T_world_camera)\n";
+  auto lost = trajectory.lost.begin();
+  const auto write_lost_before = [&](const Timestamp* stamp) {
+    for (; lost != trajectory.lost.end() && (!stamp || lost->stamp < *stamp); ++lost) {
+      text += fmt::format("# lost {} {}\n", lost->stamp.to_string(), lost->reason);
+    }
+  };
+  for (const auto& pose : trajectory.poses) {
+    write_lost_before(&pose.stamp);
+    text += format_pose(pose);
+  }
+  write_lost_before(nullptr);
+  std::ofstream stream(file, std::ios::binary);
+  stream << text << std::flush;
+  if (!stream) throw OutputError(file, "cannot be written; check permissions and free space");
+}
+
+}  // namespace cvo_slam
