@@ -20,7 +20,10 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-// Each add_<name>_command() declares one subcommand and its options; when the command line names
-// it, `action` is set.
+// Each add_<name>_command() declares one subcommand and its options on `app`; `action` is set when
+// the command line names it.
+
+/// All of them, in the order of the help page.
+void add_commands(CLI::App& app, Action& action);
 
 }  // namespace cvo_slam

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   CLI::App app{"cvo_slam: RGB-D SLAM with Continuous Visual Odometry", "cvo_slam"};
   app.require_subcommand(1);
   Action action;
+  add_commands(app, action);
 
   try {
     app.parse(argc, argv);

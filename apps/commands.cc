@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/command.h"
+
+namespace cvo_slam {
+
+void add_commands(CLI::App& app, Action& action) {
+  static_cast<void>(app);
+  static_cast<void>(action);
+}
+
+}  // namespace cvo_slam
