@@ -14,9 +14,12 @@ void MotionModel::update(const Timestamp& stamp, const SE3& T_world_camera) {
   started_ = true;
 }
 
+SE3 MotionModel::motion(const Timestamp& from, const Timestamp& to) const {
+  return velocity_ ? SE3::exp(seconds_between(from, to) * *velocity_) : SE3();
+}
+
 SE3 MotionModel::predict(const Timestamp& stamp) const {
-  if (!velocity_) return T_world_camera_;
-  return T_world_camera_ * SE3::exp(seconds_between(stamp_, stamp) * *velocity_);
+  return T_world_camera_ * motion(stamp_, stamp);
 }
 
 }  // namespace cvo_slam

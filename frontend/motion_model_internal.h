@@ -17,6 +17,8 @@ class MotionModel {
   void update(const Timestamp& stamp, const SE3& T_world_camera);
 
   [[nodiscard]] SE3 predict(const Timestamp& stamp) const;
+  /// The motion between two times: the camera's pose at `to` in its frame at `from`.
+  [[nodiscard]] SE3 motion(const Timestamp& from, const Timestamp& to) const;
   [[nodiscard]] const SE3& last_pose() const { return T_world_camera_; }
   [[nodiscard]] const Timestamp& last_stamp() const { return stamp_; }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ struct Candidate {
   int u;
   int v;
   float gradient2;  ///< squared gradient magnitude
+  Vector3 point;    ///< in the camera frame at the colour image's time [m]
 };
 
 /// Grey image and its gradient by Sobel's operator, in 8-bit values a pixel.
@@ -48,53 +50,101 @@ struct Gradients {
   }
 };
 
-/// Decides which depth values can be trusted.
-class DepthCheck {
+/// Finds the depth of colour pixels and decides whether it can be trusted.
+class DepthLookup {
  public:
-  DepthCheck(const cv::Mat& depth, const Camera& camera, const SelectionOptions& options)
-      : depth_(depth),
-        min_(static_cast<float>(options.min_depth * camera.depth_scale)),
-        max_(static_cast<float>(options.max_depth * camera.depth_scale)),
-        step_(static_cast<float>(options.max_depth_step)) {}
+  DepthLookup(const RgbdFrame& frame, const Camera& camera, const SE3& T_color_depth,
+              const SelectionOptions& options)
+      : depth_(frame.depth),
+        camera_(camera.color),
+        metres_(1 / camera.depth_scale),
+        T_color_depth_(T_color_depth),
+        T_depth_color_(T_color_depth.inverse()),
+        moved_(T_color_depth.log().norm() > 0),
+        options_(options) {}
+
+  /// The point seen at colour pixel (u, v); empty where there is no depth to be trusted.
+  [[nodiscard]] std::optional<Vector3> point(int u, int v) const {
+    const Vector3 ray = camera_.unproject({u, v});
+    if (!moved_) {
+      if (!trusted(u, v)) return std::nullopt;
+      return depth_at(u, v) * ray;
+    }
+
+    // The depth image was taken from elsewhere: search where it saw this ray. Depth changes little
+    // over the few pixels between, so that the iteration contracts quickly.
+    constexpr int kIterations = 3;
+    double z = depth_at(u, v);
+    if (z <= 0) return std::nullopt;
+    for (int i = 0; i < kIterations; ++i) {
+      const Vector3 expected = T_depth_color_ * (z * ray);
+      if (expected.z() <= 0) return std::nullopt;
+      const Eigen::Vector2d pixel = camera_.project(expected);
+      const double reach = kBorder;
+      if (!(pixel.x() > reach && pixel.y() > reach && pixel.x() < depth_.cols - reach &&
+            pixel.y() < depth_.rows - reach)) {
+        return std::nullopt;
+      }
+      const int du = cvRound(pixel.x());
+      const int dv = cvRound(pixel.y());
+      const double measured = depth_at(du, dv);
+      if (measured <= 0 || (i + 1 == kIterations && !trusted(du, dv))) return std::nullopt;
+      z = (T_color_depth_ * (expected * (measured / expected.z()))).z();
+    }
+    return z * ray;
+  }
+
+ private:
+  [[nodiscard]] double depth_at(int u, int v) const {
+    return metres_ * depth_.at<std::uint16_t>(v, u);
+  }
 
   /// True where the depth is in range and no neighbour two pixels around is much nearer or
   /// farther: at a discontinuity colour and depth may belong to different surfaces. Neighbours
   /// without depth are the shadow that structured light casts at such a place.
   [[nodiscard]] bool trusted(int u, int v) const {
-    const float z = depth_.at<std::uint16_t>(v, u);
-    if (!(z >= min_ && z <= max_)) return false;
-    const float limit = step_ * z;
+    const double z = depth_at(u, v);
+    if (!(z >= options_.min_depth && z <= options_.max_depth)) return false;
+    const double limit = options_.max_depth_step * z;
     for (int dv = -2; dv <= 2; dv += 2) {
       for (int du = -2; du <= 2; du += 2) {
-        const float neighbour = depth_.at<std::uint16_t>(v + dv, u + du);
-        if (neighbour == 0 || std::abs(neighbour - z) > limit) return false;
+        const double neighbour = depth_at(u + du, v + dv);
+        if (neighbour <= 0 || std::abs(neighbour - z) > limit) return false;
       }
     }
     return true;
   }
 
- private:
   const cv::Mat& depth_;
-  float min_, max_, step_;
+  const PinholeCamera& camera_;
+  double metres_;
+  SE3 T_color_depth_;
+  SE3 T_depth_color_;
+  bool moved_;
+  const SelectionOptions& options_;
 };
 
-/// The strongest pixel of each cell that passes `allowed`.
+/// The strongest pixel of each cell that passes `allowed` and has depth.
 template <typename Allowed>
 std::vector<Candidate> strongest_in_cells(const Gradients& gradients, float min_gradient2,
-                                          const Allowed& allowed) {
+                                          const DepthLookup& depth, const Allowed& allowed) {
   std::vector<Candidate> candidates;
   const int width = gradients.grey.cols;
   const int height = gradients.grey.rows;
   for (int v0 = kBorder; v0 + kCell <= height - kBorder; v0 += kCell) {
     for (int u0 = kBorder; u0 + kCell <= width - kBorder; u0 += kCell) {
-      Candidate best{0, 0, min_gradient2};
+      Candidate best{0, 0, min_gradient2, {}};
       for (int v = v0; v < v0 + kCell; ++v) {
         for (int u = u0; u < u0 + kCell; ++u) {
           const float gradient2 = gradients.squared_magnitude(u, v);
-          if (gradient2 > best.gradient2 && allowed(u, v)) best = {u, v, gradient2};
+          if (gradient2 > best.gradient2 && allowed(u, v)) best = {u, v, gradient2, {}};
         }
       }
-      if (best.gradient2 > min_gradient2) candidates.push_back(best);
+      if (best.gradient2 <= min_gradient2) continue;
+      if (const auto point = depth.point(best.u, best.v)) {
+        best.point = *point;
+        candidates.push_back(best);
+      }
     }
   }
   return candidates;
@@ -132,14 +182,12 @@ void spread(std::vector<Candidate>& candidates, int width, int height, int count
   candidates = std::move(kept);
 }
 
-PointCloud back_project(const std::vector<Candidate>& pixels, const RgbdFrame& frame,
-                        const Camera& camera, const Gradients& gradients) {
+PointCloud make_cloud(const std::vector<Candidate>& pixels, const RgbdFrame& frame,
+                      const Gradients& gradients) {
   PointCloud cloud;
   cloud.resize(pixels.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto [u, v, gradient2] = pixels[i];
-    const double z = frame.depth.at<std::uint16_t>(v, u) / camera.depth_scale;
-    const Vector3 p = z * camera.color.unproject({u, v});
+    const auto& [u, v, gradient2, p] = pixels[i];
     cloud.x[i] = static_cast<float>(p.x());
     cloud.y[i] = static_cast<float>(p.y());
     cloud.z[i] = static_cast<float>(p.z());
@@ -193,25 +241,24 @@ std::string check_images(const RgbdFrame& frame, const Camera& camera) {
 }
 
 PointCloud select_points(const RgbdFrame& frame, const Camera& camera, int count,
-                         const SelectionOptions& options) {
+                         const SelectionOptions& options, const SE3& T_color_depth) {
   const Gradients gradients(frame.color);
-  const DepthCheck depth(frame.depth, camera, options);
+  const DepthLookup depth(frame, camera, T_color_depth, options);
   const auto min_gradient2 = static_cast<float>(options.min_gradient * options.min_gradient);
   std::vector<Candidate> candidates;
   if (options.method == SelectionMethod::kGradient) {
-    candidates = strongest_in_cells(gradients, min_gradient2,
-                                    [&](int u, int v) { return depth.trusted(u, v); });
+    candidates = strongest_in_cells(gradients, min_gradient2, depth, [](int, int) { return true; });
   } else {
     constexpr double kLowThreshold = 50;  // on Sobel's sums: gradients of 6 and 12 values a pixel
     constexpr double kHighThreshold = 100;
     cv::Mat edges;
     cv::Canny(gradients.dx, gradients.dy, edges, kLowThreshold, kHighThreshold);
-    candidates = strongest_in_cells(gradients, min_gradient2, [&](int u, int v) {
-      return edges.at<std::uint8_t>(v, u) != 0 && depth.trusted(u, v);
+    candidates = strongest_in_cells(gradients, min_gradient2, depth, [&](int u, int v) {
+      return edges.at<std::uint8_t>(v, u) != 0;
     });
   }
   spread(candidates, camera.color.width, camera.color.height, count);
-  return back_project(candidates, frame, camera, gradients);
+  return make_cloud(candidates, frame, gradients);
 }
 
 }  // namespace cvo_slam

@@ -34,11 +34,11 @@ struct FlowOptions {
 struct RegistrationOptions {
   Solver solver = Solver::kNewton;
   KernelOptions kernel;
-  std::vector<double> length_scales = {0.1, 0.05, 0.025};
+  std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015};
   /// Most iterations at each length scale; the last entry holds for the scales after it.
-  std::vector<double> max_iterations = {10, 10, 20};
-  double tolerance_translation = 1e-5;
-  double tolerance_rotation = 1e-5;
+  std::vector<double> max_iterations = {5, 5, 5, 10};
+  double tolerance_translation = 1e-4;
+  double tolerance_rotation = 1e-4;
   FlowOptions flow;
 };
 

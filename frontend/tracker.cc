@@ -74,6 +74,7 @@ struct Tracker::Impl {
 
   void track(const RgbdFrame& frame, FrameRecord& record);
   void start_segment(const RgbdFrame& frame, FrameRecord& record);
+  [[nodiscard]] PointCloud select(const RgbdFrame& frame, int count) const;
   void set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera);
   std::string register_frame(const PointCloud& cloud, FrameRecord& record);
   std::string register_from(const PointCloud& cloud, const SE3& T_world_camera_init,
@@ -85,7 +86,14 @@ struct Tracker::Impl {
 void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera) {
   keyframe = frame;
   T_world_keyframe = T_world_camera;
-  registration.set_fixed(select_points(frame, camera, options.keyframe_points, options.selection));
+  registration.set_fixed(select(frame, options.keyframe_points));
+}
+
+/// The frame's points, with the motion between its two images taken out.
+PointCloud Tracker::Impl::select(const RgbdFrame& frame, int count) const {
+  const SE3 T_color_depth =
+      options.compensate_depth_delay ? motion.motion(frame.stamp, frame.depth_stamp) : SE3();
+  return select_points(frame, camera, count, options.selection, T_color_depth);
 }
 
 /// Begins a segment at the last known pose, which is the origin at first.
@@ -159,7 +167,7 @@ void Tracker::Impl::track(const RgbdFrame& frame, FrameRecord& record) {
                   record);
   }
   last_stamp = frame.stamp;
-  const PointCloud cloud = select_points(frame, camera, options.points, options.selection);
+  const PointCloud cloud = select(frame, options.points);
   record.points = cloud.size();
   if (cloud.size() < static_cast<std::size_t>(options.lost.min_points)) {
     return reject(fmt::format("only {} points with gradient and depth", cloud.size()), record);

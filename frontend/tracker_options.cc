@@ -43,6 +43,9 @@ OptionSet describe(TrackerOptions& o) {
       .add("keyframe_points", o.keyframe_points, {50, 100000}, "",
            "Points of a keyframe. More than of a frame, so that most points of a frame find the "
            "very same place.")
+      .add("compensate_depth_delay", o.compensate_depth_delay,
+           "Takes the camera's predicted motion between the stamps of the colour and the depth "
+           "image out of the points: sensors without a common clock take them up to 17 ms apart.")
       .add("threads", o.threads, {1, 1024}, "",
            "Threads of one registration. Results do not depend on it.")
       .add("selection", describe(o.selection))
@@ -55,6 +58,7 @@ TrackerOptions paper_options() {
   TrackerOptions o;
   o.reference = Reference::kPreviousFrame;
   o.prediction = Prediction::kIdentity;
+  o.compensate_depth_delay = false;
   o.points = o.keyframe_points = 3000;
   o.selection.method = SelectionMethod::kEdges;
   o.registration.solver = Solver::kFlow;

@@ -42,6 +42,7 @@ struct TrackerOptions {
   Prediction prediction = Prediction::kConstantVelocity;
   int points = 1500;
   int keyframe_points = 6000;
+  bool compensate_depth_delay = true;
   int threads = 1;
   SelectionOptions selection;
   RegistrationOptions registration;
