@@ -23,11 +23,11 @@ struct Setting {
 };
 
 /// A scalar as it is written, a list as "[a, b]".
-std::string value_text(const YAML::Node& node, const std::string& key,
+std::string value_text(const YAML::Node& node, const std::string& key, long line,
                        const std::filesystem::path& file) {
   if (node.IsScalar()) return node.Scalar();
   if (!node.IsSequence()) {
-    throw InputError(file, line_of(node), fmt::format("{}: a value is missing", key));
+    throw InputError(file, line, fmt::format("{}: a value is missing", key));
   }
   std::vector<std::string> items;
   for (const auto& item : node) {
@@ -47,7 +47,8 @@ void collect(const YAML::Node& map, const std::string& prefix, const std::filesy
     if (entry.second.IsMap()) {
       collect(entry.second, key + ".", file, settings);
     } else {
-      settings.push_back({key, value_text(entry.second, key, file), line_of(entry.first)});
+      const long line = line_of(entry.first);
+      settings.push_back({key, value_text(entry.second, key, line, file), line});
     }
   }
 }
