@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 
+#include <Eigen/Geometry>
+
 #include "cvo_slam/frontend/objective_internal.h"
 
 namespace cvo_slam {

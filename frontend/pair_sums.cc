@@ -91,8 +91,10 @@ HWY_INLINE Floats label_products(const Constants& constants, const PointCloud& f
 
 /// Vector sums of one moving point, a partial sum a lane.
 struct Accumulator {
-  Floats w = hn::Zero(kTag), excess = w, x = w, y = w, z = w;
-  Floats xx = w, xy = w, xz = w, yy = w, yz = w, zz = w;
+  // Spelled out because the compiler's own constructor would lack the instruction set.
+  Accumulator()
+      : w(hn::Zero(kTag)), excess(w), x(w), y(w), z(w), xx(w), xy(w), xz(w), yy(w), yz(w), zz(w) {}
+  Floats w, excess, x, y, z, xx, xy, xz, yy, yz, zz;
 
   [[nodiscard]] PairSums reduce() const {
     const auto sum = [](Floats v) { return hn::GetLane(hn::SumOfLanes(kTag, v)); };

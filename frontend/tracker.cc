@@ -53,6 +53,14 @@ std::string keyframe_reason(const RegistrationResult& result, const KeyframeOpti
 }  // namespace
 
 struct Tracker::Impl {
+  Impl(const Camera& camera_in, const TrackerOptions& options_in)
+      : camera(camera_in),
+        options(options_in),
+        registration(options_in.registration, options_in.threads) {
+    camera.check();
+    describe(options).check();
+  }
+
   Camera camera;
   TrackerOptions options;
   Registration registration;  // against the current keyframe
@@ -170,11 +178,7 @@ void Tracker::Impl::track(const RgbdFrame& frame, FrameRecord& record) {
 }
 
 Tracker::Tracker(const Camera& camera, const TrackerOptions& options)
-    : impl_(std::make_unique<Impl>(
-          Impl{camera, options, Registration(options.registration, options.threads)})) {
-  camera.check();
-  describe(impl_->options).check();
-}
+    : impl_(std::make_unique<Impl>(camera, options)) {}
 
 Tracker::~Tracker() = default;
 Tracker::Tracker(Tracker&&) noexcept = default;
