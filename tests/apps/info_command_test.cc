@@ -14,12 +14,17 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What `cvo_slam info <arguments>` prints.
-std::string info(const std::string& arguments) {
+Action parse(const std::string& arguments) {
   CLI::App app;
   Action action;
   add_info_command(app, action);
   app.parse("info " + arguments);
+  return action;
+}
+
+/// What `cvo_slam info <arguments>` prints.
+std::string info(const std::string& arguments) {
+  const Action action = parse(arguments);
   testing::internal::CaptureStdout();
   const int code = action();
   std::fflush(stdout);
@@ -62,7 +67,7 @@ TEST_F(InfoCommand, TakesABuiltInCameraByName) {
               HasSubstr("icl_nuim: 640x480"));
 }
 
-TEST_F(InfoCommand, FailsOnAMissingFolder) { EXPECT_THROW(info("/nowhere"), InputError); }
+TEST_F(InfoCommand, FailsOnAMissingFolder) { EXPECT_THROW(parse("/nowhere")(), InputError); }
 
 }  // namespace
 }  // namespace cvo_slam
