@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/tum_trajectory.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -79,13 +80,14 @@ std::vector<StampedPose> read_tum(const std::filesystem::path& file) {
     ++line_number;
     const auto words = split(line);
     if (words.empty() || words.front().front() == '#') continue;
-    poses.push_back(parse_pose(words, file, line_number));
-    if (poses.size() > 1 && poses[poses.size() - 2].stamp >= poses.back().stamp) {
+    const StampedPose pose = parse_pose(words, file, line_number);
+    if (!poses.empty() && poses.back().stamp == pose.stamp) continue;
+    if (!poses.empty() && pose.stamp < poses.back().stamp) {
       throw InputError(file, line_number,
-                       fmt::format("stamp {} is not after the one before it; sort the file by time "
-                                   "and remove duplicates",
+                       fmt::format("stamp {} is before the one above it; sort the file by time",
                                    words[0]));
     }
+    poses.push_back(pose);
   }
   return poses;
 }
