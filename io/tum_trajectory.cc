@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -83,9 +84,9 @@ std::vector<StampedPose> read_tum(const std::filesystem::path& file) {
     const StampedPose pose = parse_pose(words, file, line_number);
     if (!poses.empty() && poses.back().stamp == pose.stamp) continue;
     if (!poses.empty() && pose.stamp < poses.back().stamp) {
-      throw InputError(file, line_number,
-                       fmt::format("stamp {} is before the one above it; sort the file by time",
-                                   words[0]));
+      throw InputError(
+          file, line_number,
+          fmt::format("stamp {} is before the one above it; sort the file by time", words[0]));
     }
     poses.push_back(pose);
   }
@@ -105,9 +106,7 @@ void write_tum(const std::filesystem::path& file, const Trajectory& trajectory) 
     text += format_pose(pose);
   }
   write_lost_before(nullptr);
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) throw OutputError(file, "cannot be written; check permissions and free space");
+  write_file(file, text);
 }
 
 }  // namespace cvo_slam
