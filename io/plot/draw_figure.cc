@@ -20,7 +20,7 @@ constexpr double kTitleSize = 19;
 constexpr double kPanelTitleSize = 16;
 constexpr double kLabelSize = 14;
 constexpr double kTickSize = 13;
-constexpr double kMargin = 14;  ///< around the picture and between panels [px]
+constexpr double kMargin = 20;  ///< around the picture and between panels [px]
 constexpr double kGap = 8;      ///< between a text and what it belongs to [px]
 
 struct Rectangle {
@@ -105,10 +105,13 @@ DataRange axes_of(const Panel& panel, const DataRange& data, double aspect) {
 class PanelPainter {
  public:
   PanelPainter(const Panel& panel, const Rectangle& cell, Canvas& canvas)
-      : panel_(panel), canvas_(canvas), area_(plot_area(panel, cell)) {
+      : panel_(panel), canvas_(canvas) {
     const auto data = range_of(panel);
     is_empty_ = !data;
-    if (data) axes_ = axes_of(panel, *data, area_.width() / area_.height());
+    constexpr double kUsualNumberWidth = kTickSize * 4;
+    set_area(cell, data, kUsualNumberWidth);
+    const double needed = widest_number() + kGap;
+    if (needed > kUsualNumberWidth) set_area(cell, data, needed);
   }
 
   void paint() {
@@ -129,16 +132,37 @@ class PanelPainter {
   }
 
  private:
-  /// Leaves room for the texts; the widest number on the y axis is taken to have seven characters.
-  static Rectangle plot_area(const Panel& panel, const Rectangle& cell) {
-    const double left = kTickSize * 4.2 + (panel.y_label.empty() ? 0 : kLabelSize + kGap);
-    const double bottom = kTickSize + kGap + (panel.x_label.empty() ? 0 : kLabelSize + kGap);
-    const double top = panel.title.empty() ? 0 : kPanelTitleSize + kGap;
-    Rectangle area{cell.left + left, cell.top + top, cell.right, cell.bottom - bottom};
+  /// The part of the cell inside the axes, with `number_width` for the numbers on the y axis.
+  void set_area(const Rectangle& cell, const std::optional<DataRange>& data, double number_width) {
+    number_width_ = number_width;
+    area_ = cell;
+    area_.left += number_width + (panel_.y_label.empty() ? 0 : kLabelSize + kGap);
+    area_.bottom -= kTickSize + kGap + (panel_.x_label.empty() ? 0 : kLabelSize + kGap);
+    area_.top += panel_.title.empty() ? 0 : kPanelTitleSize + kGap;
     // A picture too small for its texts still has an area to compute with.
-    area.right = std::max(area.right, area.left + 1);
-    area.bottom = std::max(area.bottom, area.top + 1);
-    return area;
+    area_.right = std::max(area_.right, area_.left + 1);
+    area_.bottom = std::max(area_.bottom, area_.top + 1);
+    if (data) axes_ = axes_of(panel_, *data, area_.width() / area_.height());
+  }
+
+  [[nodiscard]] double widest_number() const {
+    double widest = 0;
+    for (const auto& tick : y_ticks()) {
+      widest = std::max(widest, text_width(tick.label, kTickSize));
+    }
+    return widest;
+  }
+
+  [[nodiscard]] std::vector<Tick> x_ticks() const {
+    return make_ticks(axes_.x, steps(area_.width(), panel_.equal_aspect ? 60 : 75));
+  }
+
+  [[nodiscard]] std::vector<Tick> y_ticks() const {
+    return make_ticks(axes_.y, steps(area_.height(), panel_.equal_aspect ? 60 : 45));
+  }
+
+  static int steps(double pixels, double per_step) {
+    return std::max(2, static_cast<int>(pixels / per_step));
   }
 
   [[nodiscard]] CanvasPoint place(double x, double y) const {
@@ -152,23 +176,18 @@ class PanelPainter {
                  {kPanelTitleSize, kInk, TextAnchor::kMiddle});
     canvas_.text({center, area_.bottom + 2 * kGap + kTickSize + kLabelSize * 0.75}, panel_.x_label,
                  {kLabelSize, kInk, TextAnchor::kMiddle});
-    canvas_.text({area_.left - kTickSize * 4.2 - kGap * 0.5, (area_.top + area_.bottom) / 2},
+    canvas_.text({area_.left - number_width_ - kGap * 0.5, (area_.top + area_.bottom) / 2},
                  panel_.y_label, {kLabelSize, kInk, TextAnchor::kMiddle, true});
   }
 
   void grid() {
-    constexpr double kPixelsPerTickX = 75;
-    constexpr double kPixelsPerTickY = 45;
-    const auto steps = [](double pixels, double per_tick) {
-      return std::max(2, static_cast<int>(pixels / per_tick));
-    };
-    for (const auto& tick : make_ticks(axes_.x, steps(area_.width(), kPixelsPerTickX))) {
+    for (const auto& tick : x_ticks()) {
       const double x = place(tick.value, 0).x;
       canvas_.polyline({{x, area_.top}, {x, area_.bottom}}, kGridInk, 1);
       canvas_.text({x, area_.bottom + kGap + kTickSize * 0.7}, tick.label,
                    {kTickSize, kInk, TextAnchor::kMiddle});
     }
-    for (const auto& tick : make_ticks(axes_.y, steps(area_.height(), kPixelsPerTickY))) {
+    for (const auto& tick : y_ticks()) {
       const double y = place(0, tick.value).y;
       canvas_.polyline({{area_.left, y}, {area_.right, y}}, kGridInk, 1);
       canvas_.text({area_.left - kGap * 0.75, y + kTickSize * 0.35}, tick.label,
@@ -219,7 +238,8 @@ class PanelPainter {
 
   const Panel& panel_;
   Canvas& canvas_;
-  Rectangle area_;
+  Rectangle area_;  ///< inside the axes [px]
+  double number_width_ = 0;
   DataRange axes_;
   bool is_empty_ = false;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -47,11 +48,37 @@ std::array<View, 3> views_of_first_camera() {
           View{"Side", z, -y, "z [m]", "-y [m]"}};
 }
 
+void append(Series& series, double x, double y) {
+  series.x.push_back(x);
+  series.y.push_back(y);
+}
+
+/// The longest time between neighbours that a line joins [s]: longer means that some are missing,
+/// and a line would show a path that nobody measured.
+template <typename Stamped>
+double longest_drawn_step(const std::vector<Stamped>& items) {
+  constexpr double kUsualSteps = 5;
+  constexpr double kAlwaysDrawn = 0.5;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    steps.push_back(seconds_between(items[i - 1].stamp, items[i].stamp));
+  }
+  const double usual = summarize(std::span<const double>(steps)).median;
+  return std::fmax(kUsualSteps * usual, kAlwaysDrawn);
+}
+
+template <typename Stamped>
+bool is_gap(const std::vector<Stamped>& items, std::size_t i, double longest_step) {
+  return i > 0 && seconds_between(items[i - 1].stamp, items[i].stamp) > longest_step;
+}
+
 Series projected(const std::vector<StampedPose>& poses, const View& view) {
+  const double longest_step = longest_drawn_step(poses);
   Series series;
-  for (const auto& pose : poses) {
-    series.x.push_back(view.right.dot(pose.T_world_camera.translation()));
-    series.y.push_back(view.up.dot(pose.T_world_camera.translation()));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (is_gap(poses, i, longest_step)) append(series, kNaN, kNaN);
+    const Vector3& position = poses[i].T_world_camera.translation();
+    append(series, view.right.dot(position), view.up.dot(position));
   }
   return series;
 }
@@ -74,31 +101,17 @@ Panel view_panel(const std::vector<StampedPose>& reference,
   return panel;
 }
 
-/// The time between errors that is usual for a curve [s].
-double median_step(const std::vector<PoseError>& errors) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < errors.size(); ++i) {
-    steps.push_back(seconds_between(errors[i - 1].stamp, errors[i].stamp));
-  }
-  return summarize(std::span<const double>(steps)).median;
-}
-
 /// `value` of the errors over time, with a break where several are missing.
 template <typename Value>
 Series over_time(const std::vector<PoseError>& errors, const Timestamp& origin, Color color,
                  const Value& value) {
-  constexpr double kStepsOfGap = 5;
-  const double largest_step = kStepsOfGap * median_step(errors);
+  const double longest_step = longest_drawn_step(errors);
   Series series;
   series.color = color;
   series.width = 1.2;
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (i > 0 && seconds_between(errors[i - 1].stamp, errors[i].stamp) > largest_step) {
-      series.x.push_back(kNaN);
-      series.y.push_back(kNaN);
-    }
-    series.x.push_back(seconds_between(origin, errors[i].stamp));
-    series.y.push_back(value(errors[i]));
+    if (is_gap(errors, i, longest_step)) append(series, kNaN, kNaN);
+    append(series, seconds_between(origin, errors[i].stamp), value(errors[i]));
   }
   return series;
 }
@@ -106,7 +119,7 @@ Series over_time(const std::vector<PoseError>& errors, const Timestamp& origin, 
 Panel error_panel(const std::string& name, const char* quantity, const char* unit, double rmse,
                   Series series) {
   Panel panel;
-  panel.title = fmt::format("{} {}, RMSE {:.4g} {}", name, quantity, rmse, unit);
+  panel.title = fmt::format("{} {}, RMSE {:#.4g} {}", name, quantity, rmse, unit);
   panel.x_label = "time [s]";
   panel.y_label = fmt::format("{} [{}]", quantity, unit);
   panel.series = {std::move(series)};
