@@ -231,7 +231,8 @@ class PanelPainter {
   }
 
   void flush(std::vector<CanvasPoint>& stroke, const Series& series) {
-    if (stroke.size() == 1) canvas_.disc(stroke.front(), 2 * series.width, series.color);
+    if (stroke.size() == 1)
+      canvas_.disc(stroke.front(), std::max(2.0, series.width / 2), series.color);
     if (stroke.size() > 1) canvas_.polyline(stroke, series.color, series.width);
     stroke.clear();
   }
