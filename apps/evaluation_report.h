@@ -16,7 +16,7 @@
 namespace cvo_slam {
 
 struct EvaluationOptions {
-  AssociationOptions association;
+  AssociationOptions association = {};
   Alignment alignment = Alignment::kSe3;
   /// One RPE each. The default: drift over a second as the TUM benchmark defines it, and frame to
   /// frame.
