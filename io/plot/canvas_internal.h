@@ -36,7 +36,7 @@ class Canvas {
 
 /// Room to leave for a text [px]: a little more than what the fonts in use need.
 inline double text_width(const std::string& text, double size) {
-  constexpr double kEmPerCharacter = 0.6;
+  constexpr double kEmPerCharacter = 0.7;
   return kEmPerCharacter * size * static_cast<double>(text.size());
 }
 
