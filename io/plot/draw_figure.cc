@@ -108,7 +108,7 @@ class PanelPainter {
       : panel_(panel), canvas_(canvas) {
     const auto data = range_of(panel);
     is_empty_ = !data;
-    constexpr double kUsualNumberWidth = kTickSize * 4;
+    constexpr double kUsualNumberWidth = kTickSize * 4.6;
     set_area(cell, data, kUsualNumberWidth);
     const double needed = widest_number() + kGap;
     if (needed > kUsualNumberWidth) set_area(cell, data, needed);
