@@ -23,8 +23,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // CLI11 prints the help text or the error line; its own codes are folded into "wrong usage".
-    return app.exit(error) == 0 ? kDone : kBadInput;
+    // CLI11 prints the help text; for an error it would print two lines.
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return fail(kBadInput, error);
   }
   try {
     return action();

@@ -37,6 +37,9 @@ function(cvo_slam_room NAME)
                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
   install(TARGETS ${TARGET} EXPORT cvo_slam_targets)
-  install(FILES ${ROOM_PUBLIC_HEADERS}
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${ROOM_FOLDER})
+  foreach(HEADER IN LISTS ROOM_PUBLIC_HEADERS)
+    cmake_path(GET HEADER PARENT_PATH SUBFOLDER)
+    install(FILES ${HEADER}
+            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${ROOM_FOLDER}/${SUBFOLDER})
+  endforeach()
 endfunction()

@@ -29,6 +29,13 @@ class OptionError : public Error {
   using Error::Error;
 };
 
+/// Data that was read well has no answer to what is asked of it: trajectories that share no time,
+/// positions on a line that are to be aligned, ...
+class DataError : public Error {
+ public:
+  using Error::Error;
+};
+
 /// A file cannot be written (permissions, full disk).
 class OutputError : public Error {
  public:

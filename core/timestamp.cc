@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -16,8 +15,8 @@ namespace {
 constexpr std::array<std::int64_t, Timestamp::kMaxDecimals + 1> kPowersOfTen = {
     1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000};
 constexpr std::int64_t kNanosecondsPerSecond = 1000000000;
-constexpr std::int64_t kMaxSeconds =
-    std::numeric_limits<std::int64_t>::max() / kNanosecondsPerSecond - 1;
+/// Until the year 2096. The difference of two stamps, shifted or not, then always fits 64 bits.
+constexpr std::int64_t kMaxSeconds = 4'000'000'000;
 
 bool is_digits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;

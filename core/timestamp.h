@@ -23,7 +23,7 @@ class Timestamp {
       : nanoseconds_(nanoseconds), decimals_(decimals) {}
 
   /// Seconds in decimal ("1305031229.528748") or scientific notation. Digits beyond the nanosecond
-  /// are rounded away. Empty result where the text is not a finite number that fits.
+  /// are rounded away. Empty where the text is not a number between -4e9 and 4e9 (year 2096).
   static std::optional<Timestamp> parse(std::string_view text);
   static Timestamp from_seconds(double seconds, int decimals = 6);
 

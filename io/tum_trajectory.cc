@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output_internal.h"
 #include "cvo_slam/io/stamp_order_internal.h"
 #include "cvo_slam/io/text_internal.h"
 
@@ -56,13 +57,14 @@ std::string format_pose(const StampedPose& pose) {
 std::vector<StampedPose> read_tum(const std::filesystem::path& file) {
   std::vector<StampedPose> poses;
   for (const auto& line : read_word_lines(file)) {
-    poses.push_back(parse_pose(line.words, file, line.number));
-    if (poses.size() > 1 && poses[poses.size() - 2].stamp >= poses.back().stamp) {
-      throw InputError(file, line.number,
-                       fmt::format("stamp {} is not after the one before it; sort the file by time "
-                                   "and remove duplicates",
-                                   line.words[0]));
+    const StampedPose pose = parse_pose(line.words, file, line.number);
+    if (!poses.empty() && poses.back().stamp == pose.stamp) continue;
+    if (!poses.empty() && pose.stamp < poses.back().stamp) {
+      throw InputError(
+          file, line.number,
+          fmt::format("stamp {} is before the one above it; sort the file by time", line.words[0]));
     }
+    poses.push_back(pose);
   }
   return poses;
 }
@@ -90,9 +92,7 @@ void write_tum(const std::filesystem::path& file, const Trajectory& trajectory) 
     text += format_pose(pose);
   }
   write_lost_before(nullptr);
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) throw OutputError(file, "cannot be written; check permissions and free space");
+  write_file(file, text);
 }
 
 }  // namespace cvo_slam

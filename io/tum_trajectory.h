@@ -11,8 +11,9 @@
 namespace cvo_slam {
 
 /// Reads a trajectory in TUM format: "stamp tx ty tz qx qy qz qw" a line, '#' starts a comment.
-/// Throws InputError with the line number for a wrong number of values, a value that is not finite,
-/// a quaternion of zero length, or stamps out of order or duplicated.
+/// Of poses in a row with the same stamp the first is kept: the benchmark's own motion capture has
+/// such lines (fr2/desk). Throws InputError with the line number for a wrong number of values, a
+/// value that is not finite, a quaternion of zero length, or stamps out of order.
 [[nodiscard]] std::vector<StampedPose> read_tum(const std::filesystem::path& file);
 
 /// As read_tum(), but for files as they are found: poses out of order are sorted, the later ones of

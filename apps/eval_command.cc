@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/evaluation_plots.h"
+#include "cvo_slam/apps/evaluation_report.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/tum_trajectory.h"
+
+namespace cvo_slam {
+namespace {
+
+enum class Metric { kEvo, kTum, kPaper };
+
+struct EvalArguments {
+  std::filesystem::path reference;
+  std::filesystem::path estimate;
+  EvaluationOptions options;
+  std::optional<Metric> metric;
+  std::optional<double> delta;
+  std::optional<DeltaUnit> unit;
+  bool all_pairs = false;
+  std::filesystem::path plot_folder;
+  bool json = false;
+};
+
+/// The relative errors that the command line asks for; each metric has its own defaults.
+std::vector<RelativePoseOptions> relative_options(const EvalArguments& arguments) {
+  const bool has_delta = arguments.delta || arguments.unit || arguments.all_pairs;
+  if (!arguments.metric && !has_delta) return EvaluationOptions().relative;
+  switch (arguments.metric.value_or(Metric::kEvo)) {
+    case Metric::kPaper:
+      if (has_delta) {
+        throw OptionError(
+            "--metric paper is frame to frame: leave out --delta, --unit and --all-pairs");
+      }
+      return {cvo_paper_options()};
+    case Metric::kTum:
+      if (arguments.unit.value_or(DeltaUnit::kSeconds) != DeltaUnit::kSeconds) {
+        throw OptionError("--metric tum is over seconds: leave out --unit or use --metric evo");
+      }
+      return {{.delta = arguments.delta.value_or(1)}};
+    case Metric::kEvo:
+      break;
+  }
+  return {{.delta = arguments.delta.value_or(1),
+           .unit = arguments.unit.value_or(DeltaUnit::kFrames),
+           .all_pairs = arguments.all_pairs}};
+}
+
+int run_eval(const EvalArguments& arguments) {
+  EvaluationOptions options = arguments.options;
+  options.relative = relative_options(arguments);
+  const auto reference = read_tum(arguments.reference);
+  const auto estimate = read_tum(arguments.estimate);
+  EvaluationReport report;
+  try {
+    report = evaluate(reference, estimate, options);
+  } catch (const DataError& error) {
+    throw InputError(arguments.estimate, error.what());
+  }
+  if (!arguments.plot_folder.empty()) {
+    write_evaluation_plots(arguments.plot_folder, reference, estimate, report);
+  }
+  fmt::print("{}", arguments.json ? to_json(report).dump(2) + "\n" : to_table(report));
+  return kDone;
+}
+
+template <typename E>
+auto choice(std::vector<std::pair<std::string, E>> names) {
+  return CLI::CheckedTransformer(std::move(names)).description("");
+}
+
+void add_options(CLI::App& command, EvalArguments& arguments) {
+  auto& association = arguments.options.association;
+  command.add_option("reference", arguments.reference, "The true trajectory, a file in TUM format")
+      ->required();
+  command.add_option("estimate", arguments.estimate, "The trajectory to judge, in TUM format")
+      ->required();
+  command
+      .add_option("--align", arguments.options.alignment,
+                  "none, se3 or sim3: how the estimate is fitted first (default se3)")
+      ->transform(choice<Alignment>(
+          {{"none", Alignment::kNone}, {"se3", Alignment::kSe3}, {"sim3", Alignment::kSim3}}));
+  command
+      .add_option("--metric", arguments.metric,
+                  "evo, tum or paper: the relative error; tum = all pairs --delta seconds apart, "
+                  "paper = the CVO paper's, frame to frame (default: tum, and evo frame to frame)")
+      ->transform(choice<Metric>(
+          {{"evo", Metric::kEvo}, {"tum", Metric::kTum}, {"paper", Metric::kPaper}}));
+  command.add_option("--delta", arguments.delta, "Distance of the poses of a pair (default 1)");
+  command.add_option("--unit", arguments.unit, "Of --delta: frames, m or s (default frames)")
+      ->transform(choice<DeltaUnit>(
+          {{"frames", DeltaUnit::kFrames}, {"m", DeltaUnit::kMetres}, {"s", DeltaUnit::kSeconds}}));
+  command.add_flag("--all-pairs", arguments.all_pairs,
+                   "A pair from every pose, not only from where the last one ended");
+  command.add_option("--max-diff", association.max_difference,
+                     "Largest difference of the stamps of a match [s] (default 0.02)");
+  command.add_flag("--interpolate", association.interpolate,
+                   "Interpolate the reference at the estimate's stamps");
+  command.add_option("--time-offset", association.time_offset,
+                     "Added to the estimate's stamps [s] (default 0)");
+  command.add_option("--plot", arguments.plot_folder,
+                     "Folder for pictures of the trajectories and their errors (PNG and SVG)");
+  command.add_flag("--json", arguments.json, "Print one JSON object instead of a table");
+}
+
+}  // namespace
+
+void add_eval_command(CLI::App& app, Action& action) {
+  const auto arguments = std::make_shared<EvalArguments>();
+  CLI::App* command =
+      app.add_subcommand("eval", "Errors of an estimated trajectory against a reference");
+  add_options(*command, *arguments);
+  command->callback(
+      [&action, arguments] { action = [arguments] { return run_eval(*arguments); }; });
+}
+
+}  // namespace cvo_slam

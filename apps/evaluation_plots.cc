@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/evaluation_plots.h"
+
+#include <system_error>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/plot/plot_file.h"
+#include "cvo_slam/io/plot/trajectory_plot.h"
+
+namespace cvo_slam {
+namespace {
+
+void write_figure(const std::filesystem::path& stem, const Figure& figure) {
+  write_png(stem.string() + ".png", figure);
+  write_svg(stem.string() + ".svg", figure);
+}
+
+std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
+  std::vector<ErrorCurve> curves;
+  if (report.ate) curves.push_back({"ATE", report.ate->errors});
+  for (const auto& relative : report.relative) {
+    if (relative.error) curves.push_back({label_of(relative.options), relative.error->errors});
+  }
+  return curves;
+}
+
+}  // namespace
+
+void write_evaluation_plots(const std::filesystem::path& folder,
+                            const std::vector<StampedPose>& reference,
+                            const std::vector<StampedPose>& estimate,
+                            const EvaluationReport& report) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError(folder, "cannot be made a folder: " + error.message());
+  const Similarity alignment = report.ate ? report.ate->alignment : Similarity();
+  write_figure(folder / "trajectory",
+               trajectory_figure(reference, transformed(alignment, estimate)));
+  write_figure(folder / "errors", error_figure(curves_of(report)));
+}
+
+}  // namespace cvo_slam

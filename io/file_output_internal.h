@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace cvo_slam {
+
+/// Writes the bytes as a file, replacing one that exists. Throws OutputError where not all arrive.
+void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace cvo_slam

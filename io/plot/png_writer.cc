@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output_internal.h"
+#include "cvo_slam/io/plot/draw_figure_internal.h"
+#include "cvo_slam/io/plot/plot_file.h"
+
+namespace cvo_slam {
+namespace {
+
+/// Drawn this much larger and shrunk: OpenCV's fonts are strokes that need the pixels.
+constexpr int kOversampling = 3;
+/// Bits behind the point of the coordinates that OpenCV draws with.
+constexpr int kShift = 4;
+
+cv::Scalar bgr(Color color) {
+  return {static_cast<double>(color.blue), static_cast<double>(color.green),
+          static_cast<double>(color.red)};
+}
+
+cv::Point fixed_point(CanvasPoint point) {
+  constexpr double kUnit = kOversampling * (1 << kShift);
+  return {static_cast<int>(std::lround(point.x * kUnit)),
+          static_cast<int>(std::lround(point.y * kUnit))};
+}
+
+int thickness_of(double width) {
+  return std::max(1, static_cast<int>(std::lround(width * kOversampling)));
+}
+
+/// OpenCV's fonts know ASCII; of any other character (UTF-8) the first byte becomes '?'.
+std::string to_ascii(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xc0U) == 0x80U) continue;
+    result += byte >= 0x20 && byte < 0x7f ? c : '?';
+  }
+  return result;
+}
+
+/// A text as a small picture, dark on white, and where its base line is.
+struct TextImage {
+  cv::Mat pixels;
+  int baseline = 0;  ///< rows above the base line
+};
+
+TextImage render_text(const std::string& text, const TextStyle& style) {
+  constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+  // Capitals are 21 units high in the font, and 0.72 em in most typefaces.
+  const double scale = 0.72 * style.size * kOversampling / 21;
+  const int thickness = thickness_of(style.size * 0.09);
+  int below = 0;
+  const cv::Size size = cv::getTextSize(text, kFont, scale, thickness, &below);
+  const int margin = thickness;
+  TextImage image;
+  image.baseline = size.height + margin;
+  image.pixels.create(size.height + below + 2 * margin, size.width + 2 * margin, CV_8UC3);
+  image.pixels.setTo(cv::Scalar::all(255));
+  cv::putText(image.pixels, text, {margin, image.baseline}, kFont, scale, bgr(style.color),
+              thickness, cv::LINE_AA);
+  return image;
+}
+
+double share_before(TextAnchor anchor) {
+  switch (anchor) {
+    case TextAnchor::kStart:
+      return 0;
+    case TextAnchor::kMiddle:
+      return 0.5;
+    case TextAnchor::kEnd:
+      return 1;
+  }
+  return 0;
+}
+
+class PngCanvas : public Canvas {
+ public:
+  PngCanvas(int width, int height)
+      : size_(width, height),
+        image_(height * kOversampling, width * kOversampling, CV_8UC3, cv::Scalar::all(255)) {}
+
+  void polyline(const std::vector<CanvasPoint>& points, Color color, double width) override {
+    std::vector<cv::Point> fixed(points.size());
+    std::transform(points.begin(), points.end(), fixed.begin(), fixed_point);
+    cv::polylines(image_, fixed, false, bgr(color), thickness_of(width), cv::LINE_AA, kShift);
+  }
+
+  void disc(CanvasPoint center, double radius, Color color) override {
+    const int fixed_radius = static_cast<int>(std::lround(radius * kOversampling * (1 << kShift)));
+    cv::circle(image_, fixed_point(center), fixed_radius, bgr(color), cv::FILLED, cv::LINE_AA,
+               kShift);
+  }
+
+  void text(CanvasPoint position, const std::string& text, const TextStyle& style) override {
+    if (text.empty()) return;
+    const TextImage rendered = render_text(to_ascii(text), style);
+    const int before =
+        static_cast<int>(std::lround(share_before(style.anchor) * rendered.pixels.cols));
+    cv::Point origin(static_cast<int>(std::lround(position.x * kOversampling)),
+                     static_cast<int>(std::lround(position.y * kOversampling)));
+    if (!style.vertical) {
+      paste(rendered.pixels, origin - cv::Point(before, rendered.baseline));
+      return;
+    }
+    cv::Mat turned;
+    cv::rotate(rendered.pixels, turned, cv::ROTATE_90_COUNTERCLOCKWISE);
+    paste(turned, origin - cv::Point(rendered.baseline, turned.rows - before));
+  }
+
+  [[nodiscard]] cv::Mat image() const {
+    cv::Mat shrunk;
+    cv::resize(image_, shrunk, size_, 0, 0, cv::INTER_AREA);
+    return shrunk;
+  }
+
+ private:
+  /// Darkens the picture by the part of `pixels` that lies on it.
+  void paste(const cv::Mat& pixels, const cv::Point& origin) {
+    const cv::Rect whole(0, 0, image_.cols, image_.rows);
+    const cv::Rect target = whole & cv::Rect(origin, pixels.size());
+    if (target.empty()) return;
+    cv::Mat part = image_(target);
+    cv::min(part, pixels(target - origin), part);
+  }
+
+  cv::Size size_;
+  cv::Mat image_;
+};
+
+}  // namespace
+
+void write_png(const std::filesystem::path& file, const Figure& figure) {
+  check_size(figure);
+  PngCanvas canvas(figure.width, figure.height);
+  draw_figure(figure, canvas);
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(".png", canvas.image(), bytes)) {
+    throw OutputError(file, "OpenCV cannot encode PNG");
+  }
+  write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/evaluation_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "../core/trajectory_samples.h"
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(EvaluationReport, HasDriftOverASecondAndFrameToFrameByDefault) {
+  const auto poses = helix(40);
+  const auto report = evaluate(poses, poses);
+  EXPECT_EQ(report.matches, 40U);
+  EXPECT_DOUBLE_EQ(report.coverage, 1);
+  ASSERT_EQ(report.relative.size(), 2U);
+  EXPECT_EQ(label_of(report.relative[0].options), "RPE 1 s");
+  EXPECT_EQ(label_of(report.relative[1].options), "RPE 1 frame");
+  EXPECT_EQ(report.relative[0].error->errors.size(), 30U);
+  EXPECT_EQ(report.relative[1].error->errors.size(), 39U);
+  EXPECT_TRUE(report.notes.empty());
+}
+
+TEST(EvaluationReport, CoverageIsTheMatchedShare) {
+  auto reference = helix(40);
+  reference.resize(10);
+  // The estimate goes on where the reference ends: of the reference, with fewer poses, all match.
+  EXPECT_DOUBLE_EQ(evaluate(reference, helix(40)).coverage, 1);
+  EXPECT_DOUBLE_EQ(evaluate(reference, helix(40), {.association = {.interpolate = true}}).coverage,
+                   0.25);
+}
+
+TEST(EvaluationReport, SimilarityScalesTheRelativeErrorToo) {
+  const auto truth = helix(40);
+  const auto estimate = transformed({SE3(), 3.0}, truth);
+  const auto report = evaluate(truth, estimate, {.alignment = Alignment::kSim3});
+  EXPECT_NEAR(report.ate->alignment.scale, 1.0 / 3, 1e-12);
+  EXPECT_LT(report.relative[0].error->statistics.translation.max, 1e-12);
+}
+
+TEST(EvaluationReport, LeavesOutWhatDoesNotExistAndSaysWhy) {
+  // Half a second on a straight line: no unique alignment, no second.
+  const auto report = evaluate(line(5), line(5));
+  EXPECT_FALSE(report.ate);
+  EXPECT_FALSE(report.relative[0].error);
+  EXPECT_TRUE(report.relative[1].error);
+  EXPECT_THAT(report.notes, testing::ElementsAre(HasSubstr("no ATE: "), HasSubstr("no RPE 1 s: ")));
+  const auto json = to_json(report);
+  EXPECT_TRUE(json["ate"].is_null());
+  EXPECT_TRUE(json["rpe"][0]["error"].is_null());
+  EXPECT_EQ(json["notes"].size(), 2U);
+  EXPECT_THAT(to_table(report), HasSubstr("no RPE 1 s: "));
+}
+
+TEST(EvaluationReport, ThrowsWhereNoFigureExists) {
+  EXPECT_THROW(static_cast<void>(evaluate(line(1), line(1))), DataError);
+  EXPECT_THROW(static_cast<void>(evaluate({}, {})), DataError);
+}
+
+TEST(EvaluationReport, JsonHasUnitsInItsKeys) {
+  const auto truth = line(3);
+  auto estimate = line(3);
+  estimate[1].T_world_camera = SE3(so3_exp({0, 0, 1}), {1, 2, 0});
+  const auto json = to_json(evaluate(truth, estimate, {.alignment = Alignment::kNone}));
+  EXPECT_DOUBLE_EQ(json["ate"]["translation_m"]["max"].get<double>(), 2);
+  // One radian.
+  EXPECT_NEAR(json["ate"]["rotation_deg"]["max"].get<double>(), 57.29577951308232, 1e-12);
+  EXPECT_EQ(json["rpe"][1]["unit"], "frames");
+  EXPECT_EQ(json["alignment"], "none");
+}
+
+}  // namespace
+}  // namespace cvo_slam

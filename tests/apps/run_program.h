@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "../temporary_folder.h"
+
+namespace cvo_slam {
+
+struct ProgramResult {
+  int exit_code = -1;  ///< of a program ended by a signal: 128 + its number, as in a shell
+  std::string output;  ///< what it wrote to stdout
+  std::string errors;  ///< what it wrote to stderr
+};
+
+/// Runs the built program with these arguments and waits for its end; stdin is empty.
+inline ProgramResult run_program(const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  const std::string output = folder.path() / "stdout";
+  const std::string errors = folder.path() / "stderr";
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), kWrite, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), kWrite, 0600);
+
+  std::vector<std::string> words = {CVO_SLAM_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t process = 0;
+  const int problem =
+      posix_spawn(&process, CVO_SLAM_PROGRAM, &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (problem != 0) return {};
+
+  int status = 0;
+  waitpid(process, &status, 0);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, read_text(output), read_text(errors)};
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/io/tum_trajectory.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "../temporary_folder.h"
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+namespace {
+
+using testing::HasSubstr;
+
+class TumTrajectory : public testing::Test {
+ protected:
+  std::vector<StampedPose> read(const std::string& text) {
+    return read_tum(folder_.write("poses.txt", text));
+  }
+
+  void expect_error(const std::string& text, const std::string& message) {
+    try {
+      read(text);
+      FAIL() << "no error for " << text;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("poses.txt:" + message));
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TumTrajectory, RoundTripKeepsEveryDigit) {
+  const std::string text =
+      "# stamp tx ty tz qx qy qz qw (T_world_camera)\n"
+      "1305031102.1604 1.344379000 -0.627206000 1.661754123 0.000000000 0.000000000 0.600000000 "
+      "0.800000000\n"
+      "1305031103 0.000000001 0.000000000 0.000000000 1.000000000 0.000000000 0.000000000 "
+      "0.000000000\n";
+  const auto file = folder_.path() / "again.txt";
+  write_tum(file, {read(text), {}});
+  EXPECT_EQ(read_text(file), text);
+}
+
+TEST_F(TumTrajectory, LostFramesAreCommentsInTheirPlace) {
+  const SE3 pose;
+  const Trajectory trajectory{{{Timestamp(2000000000, 1), pose}, {Timestamp(4000000000, 1), pose}},
+                              {{Timestamp(1000000000, 1), "no depth"},
+                               {Timestamp(3000000000, 1), "blur"},
+                               {Timestamp(5000000000, 1), "end"}}};
+  const auto file = folder_.path() / "lost.txt";
+  write_tum(file, trajectory);
+  const std::string identity =
+      " 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.000000000\n";
+  EXPECT_EQ(read_text(file),
+            "# stamp tx ty tz qx qy qz qw (T_world_camera)\n# lost 1.0 no depth\n2.0" + identity +
+                "# lost 3.0 blur\n4.0" + identity + "# lost 5.0 end\n");
+  EXPECT_EQ(read_tum(file).size(), 2U);
+}
+
+TEST_F(TumTrajectory, NormalisesTheQuaternion) {
+  const auto poses = read("1 0 0 0 0 0 0 2\n");
+  ASSERT_EQ(poses.size(), 1U);
+  EXPECT_TRUE(poses[0].T_world_camera.rotation().isIdentity(1e-15));
+}
+
+TEST_F(TumTrajectory, SkipsCommentsBlankLinesAndForeignLineEnds) {
+  EXPECT_EQ(read("# c\n\n  \n1 0 0 0 0 0 0 1\r\n\t2 0 0 0 0 0 0 1").size(), 2U);
+}
+
+TEST_F(TumTrajectory, OfRepeatedStampsTheFirstIsKept) {
+  const auto poses = read("1 5 0 0 0 0 0 1\n1 6 0 0 0 0 0 1\n2 7 0 0 0 0 0 1\n");
+  ASSERT_EQ(poses.size(), 2U);
+  EXPECT_EQ(poses[0].T_world_camera.translation().x(), 5);
+}
+
+TEST_F(TumTrajectory, EachErrorNamesItsLine) {
+  expect_error("# c\n1 0 0 0 0 0 0\n", "2: expected 8 values");
+  expect_error("1 0 0 0 0 0 0 1 9\n", "1: expected 8 values");
+  expect_error("1 0 0 0 0 0 0 1\nx 0 0 0 0 0 0 1\n", "2: 'x' is not a time stamp");
+  expect_error("1 0 nan 0 0 0 0 1\n", "1: 'nan' is not a finite number");
+  expect_error("1 0 0 inf 0 0 0 1\n", "1: 'inf' is not a finite number");
+  expect_error("1 0 0 0x 0 0 0 1\n", "1: '0x' is not a finite number");
+  expect_error("1 0 0 0 0 0 0 0\n", "1: the quaternion has length zero");
+  expect_error("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n", "2: stamp 1 is before the one above");
+}
+
+TEST_F(TumTrajectory, MissingFileAndFullDiskAreErrors) {
+  EXPECT_THROW(static_cast<void>(read_tum(folder_.path() / "missing.txt")), InputError);
+  EXPECT_THROW(write_tum(folder_.path() / "no" / "folder.txt", {}), OutputError);
+  EXPECT_THROW(write_tum("/dev/full", {}), OutputError);
+}
+
+}  // namespace
+}  // namespace cvo_slam
