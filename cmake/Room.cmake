@@ -36,7 +36,9 @@ function(cvo_slam_room NAME)
     ${TARGET} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
-  install(TARGETS ${TARGET} EXPORT cvo_slam_targets)
-  install(FILES ${ROOM_PUBLIC_HEADERS}
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${ROOM_FOLDER})
+  if(CVO_SLAM_INSTALL)
+    install(TARGETS ${TARGET} EXPORT cvo_slam_targets)
+    install(FILES ${ROOM_PUBLIC_HEADERS}
+            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${ROOM_FOLDER})
+  endif()
 endfunction()
