@@ -33,7 +33,7 @@ help: ## This list
 	@echo "Variables: DATASET=$(DATASET) OUT=$(OUT) PREFIX=$(PREFIX) JOBS=$(JOBS)"
 
 .PHONY: demo
-demo: build $(if $(DATASET),,$(ROOM)/groundtruth.txt) ## Run on a synthetic room, or on DATASET=path
+demo: program $(if $(DATASET),,$(ROOM)/groundtruth.txt) ## Run on a synthetic room, or on DATASET=path
 	@rm -f "$(OUT)"/*.png
 	$(PROGRAM) run "$(or $(DATASET),$(ROOM))" --mode odometry --out "$(OUT)"
 	@echo
@@ -41,7 +41,7 @@ demo: build $(if $(DATASET),,$(ROOM)/groundtruth.txt) ## Run on a synthetic room
 	@find "$$(realpath "$(OUT)")" -name '*.png' | sort | sed 's/^/  /'
 
 # Made aside and moved when complete, so that an interrupted run leaves no half a sequence.
-$(ROOM)/groundtruth.txt: $(wildcard io/synthetic/*.h io/synthetic/*.cc) | build
+$(ROOM)/groundtruth.txt: $(wildcard io/synthetic/*.h io/synthetic/*.cc) | program
 	@rm -rf $(ROOM) $(ROOM).part
 	@mkdir -p $(@D:%/room=%)
 	$(PROGRAM) synth room $(ROOM).part
@@ -90,6 +90,10 @@ clean: ## Remove everything that was built (results/ stays)
 	rm -rf build
 
 # Steps the targets above share.
+
+.PHONY: program
+program: build/release/build.ninja
+	cmake --build build/release --target cvo_slam --parallel $(JOBS)
 
 .PHONY: build-%
 build-%: build/%/build.ninja

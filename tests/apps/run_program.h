@@ -2,55 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "cvo_slam/tests/temporary_folder.h"
+
 namespace cvo_slam {
 
-/// What a run of the program left.
 struct ProgramResult {
-  int exit_code;
-  std::string out;
-  std::string err;
+  int exit_code = -1;  ///< of a program ended by a signal: 128 + its number, as in a shell
+  std::string output;  ///< what it wrote to stdout
+  std::string errors;  ///< what it wrote to stderr
 };
 
-namespace run_program_detail {
-
-inline std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-inline std::string take_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  std::filesystem::remove(file);
-  return text;
-}
-
-}  // namespace run_program_detail
-
-/// Runs the program cvo_slam as a process of its own. CVO_SLAM_PROGRAM is its path.
+/// Runs the built program with these arguments and waits for its end; stdin is empty.
 inline ProgramResult run_program(const std::vector<std::string>& arguments) {
-  using run_program_detail::quoted;
-  // Tests run in parallel, a process each.
-  const auto base = std::filesystem::temp_directory_path() /
-                    ("cvo_slam_run_program_" + std::to_string(::getpid()));
-  const std::string out = base.string() + ".out";
-  const std::string err = base.string() + ".err";
-  std::string command = quoted(CVO_SLAM_PROGRAM);
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
-  const int status = std::system((command + " >" + quoted(out) + " 2>" + quoted(err)).c_str());
-  const int exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return {exit_code, run_program_detail::take_file(out), run_program_detail::take_file(err)};
+  const TemporaryFolder folder;
+  const std::string output = folder.path() / "stdout";
+  const std::string errors = folder.path() / "stderr";
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), kWrite, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), kWrite, 0600);
+
+  std::vector<std::string> words = {CVO_SLAM_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t process = 0;
+  const int problem =
+      posix_spawn(&process, CVO_SLAM_PROGRAM, &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (problem != 0) return {};
+
+  int status = 0;
+  waitpid(process, &status, 0);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, read_text(output), read_text(errors)};
 }
 
 }  // namespace cvo_slam

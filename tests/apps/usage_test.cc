@@ -80,15 +80,15 @@ TEST_F(Usage, MissingAndWrongValuesNameTheOption) {
 TEST(Program, PrintsItsVersion) {
   const ProgramResult result = run_program({"--version"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.out, "cvo_slam " CVO_SLAM_VERSION "\n");
-  EXPECT_THAT(result.err, IsEmpty());
+  EXPECT_EQ(result.output, "cvo_slam " CVO_SLAM_VERSION "\n");
+  EXPECT_THAT(result.errors, IsEmpty());
 }
 
 TEST(Program, PrintsItsHelpOnStdout) {
   const ProgramResult result = run_program({"--help"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, HasSubstr("Usage: cvo_slam"));
-  EXPECT_THAT(result.err, IsEmpty());
+  EXPECT_THAT(result.output, HasSubstr("Usage: cvo_slam"));
+  EXPECT_THAT(result.errors, IsEmpty());
 }
 
 TEST(Program, WrongUsageIsOneLineOnStderrAndTwo) {
@@ -97,10 +97,10 @@ TEST(Program, WrongUsageIsOneLineOnStderrAndTwo) {
   for (const auto& arguments : command_lines) {
     const ProgramResult result = run_program(arguments);
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.out, IsEmpty());
-    EXPECT_THAT(result.err, StartsWith("cvo_slam: error: "));
-    EXPECT_THAT(result.err, HasSubstr("(see cvo_slam --help)\n"));
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_THAT(result.output, IsEmpty());
+    EXPECT_THAT(result.errors, StartsWith("cvo_slam: error: "));
+    EXPECT_THAT(result.errors, HasSubstr("(see cvo_slam --help)\n"));
+    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
   }
 }
 
