@@ -1,12 +1,18 @@
 # SPDX-FileCopyrightText: 2026 The cvo_slam authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What the libraries link. cvo_slam-config.cmake.in asks the embedder's CMake for the same.
-# CMake targets carry their include folders as system headers, so that -Wall is about our code.
+# What the libraries link: the one list for this build and for cvo_slam-config.cmake, which asks an
+# embedder's CMake for the same (Install.cmake). Each entry is the arguments of find_package().
 
-find_package(Eigen3 REQUIRED)
-find_package(fmt REQUIRED)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
-find_package(TBB REQUIRED)
-find_package(yaml-cpp REQUIRED)
-find_package(hwy REQUIRED)
+set(CVO_SLAM_DEPENDENCIES
+    "Eigen3"
+    "fmt"
+    "hwy"
+    "OpenCV COMPONENTS core imgproc imgcodecs"
+    "TBB"
+    "yaml-cpp")
+
+foreach(DEPENDENCY IN LISTS CVO_SLAM_DEPENDENCIES)
+  separate_arguments(ARGUMENTS UNIX_COMMAND "${DEPENDENCY}")
+  find_package(${ARGUMENTS} REQUIRED)
+endforeach()

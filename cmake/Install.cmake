@@ -5,6 +5,10 @@
 
 include(CMakePackageConfigHelpers)
 set(CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cvo_slam)
+list(TRANSFORM CVO_SLAM_DEPENDENCIES REPLACE "(.+)" "find_dependency(\\1)"
+     OUTPUT_VARIABLE FIND_DEPENDENCIES)
+list(JOIN FIND_DEPENDENCIES "\n" FIND_DEPENDENCIES)
+
 install(EXPORT cvo_slam_targets NAMESPACE cvo_slam:: DESTINATION ${CONFIG_DIR})
 configure_package_config_file(cmake/cvo_slam-config.cmake.in
                               ${PROJECT_BINARY_DIR}/cvo_slam-config.cmake

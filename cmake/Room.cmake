@@ -36,10 +36,12 @@ function(cvo_slam_room NAME)
     ${TARGET} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
-  install(TARGETS ${TARGET} EXPORT cvo_slam_targets)
-  foreach(HEADER IN LISTS ROOM_PUBLIC_HEADERS)
-    cmake_path(GET HEADER PARENT_PATH SUBFOLDER)
-    install(FILES ${HEADER}
-            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${ROOM_FOLDER}/${SUBFOLDER})
-  endforeach()
+  if(CVO_SLAM_INSTALL)
+    install(TARGETS ${TARGET} EXPORT cvo_slam_targets)
+    foreach(HEADER IN LISTS ROOM_PUBLIC_HEADERS)
+      cmake_path(GET HEADER PARENT_PATH SUBFOLDER)
+      install(FILES ${HEADER}
+              DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${ROOM_FOLDER}/${SUBFOLDER})
+    endforeach()
+  endif()
 endfunction()

@@ -95,7 +95,7 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
   return nearest == candidates.end() ? std::string() : *nearest;
 }
 
-OptionSet& OptionSet::add(std::string key, bool& value, std::string doc) {
+OptionSet& OptionSet::add(const std::string& key, bool& value, std::string doc) {
   const auto set = [&value, key](std::string_view text) {
     const std::string_view word = trim(text);
     if (word != "true" && word != "false") fail(key, text, "true or false");
@@ -106,7 +106,7 @@ OptionSet& OptionSet::add(std::string key, bool& value, std::string doc) {
   return *this;
 }
 
-OptionSet& OptionSet::add(std::string key, int& value, Range<int> range, std::string unit,
+OptionSet& OptionSet::add(const std::string& key, int& value, Range<int> range, std::string unit,
                           std::string doc) {
   const auto set = [&value, key, range](std::string_view text) {
     value = parse_in_range(key, text, range);
@@ -116,8 +116,8 @@ OptionSet& OptionSet::add(std::string key, int& value, Range<int> range, std::st
   return *this;
 }
 
-OptionSet& OptionSet::add(std::string key, double& value, Range<double> range, std::string unit,
-                          std::string doc) {
+OptionSet& OptionSet::add(const std::string& key, double& value, Range<double> range,
+                          std::string unit, std::string doc) {
   const auto set = [&value, key, range](std::string_view text) {
     value = parse_in_range(key, text, range);
   };
@@ -126,7 +126,7 @@ OptionSet& OptionSet::add(std::string key, double& value, Range<double> range, s
   return *this;
 }
 
-OptionSet& OptionSet::add(std::string key, std::vector<double>& value, Range<double> range,
+OptionSet& OptionSet::add(const std::string& key, std::vector<double>& value, Range<double> range,
                           std::string unit, std::string doc) {
   const auto set = [&value, key, range](std::string_view text) {
     value = parse_list(key, text, range);

@@ -40,15 +40,16 @@ class OptionSet {
   template <typename E>
   using Choices = std::vector<std::pair<std::string, E>>;
 
-  OptionSet& add(std::string key, bool& value, std::string doc);
-  OptionSet& add(std::string key, int& value, Range<int> range, std::string unit, std::string doc);
-  OptionSet& add(std::string key, double& value, Range<double> range, std::string unit,
+  OptionSet& add(const std::string& key, bool& value, std::string doc);
+  OptionSet& add(const std::string& key, int& value, Range<int> range, std::string unit,
+                 std::string doc);
+  OptionSet& add(const std::string& key, double& value, Range<double> range, std::string unit,
                  std::string doc);
   /// A list is written "[a, b, c]"; `range` holds for each element; it must not be empty.
-  OptionSet& add(std::string key, std::vector<double>& value, Range<double> range, std::string unit,
-                 std::string doc);
+  OptionSet& add(const std::string& key, std::vector<double>& value, Range<double> range,
+                 std::string unit, std::string doc);
   template <typename E>
-  OptionSet& add(std::string key, E& value, Choices<E> choices, std::string doc);
+  OptionSet& add(const std::string& key, E& value, Choices<E> choices, const std::string& doc);
   /// All options of a nested struct, their keys prefixed by "prefix.".
   OptionSet& add(const std::string& prefix, const OptionSet& nested);
 
@@ -69,7 +70,8 @@ class OptionSet {
 };
 
 template <typename E>
-OptionSet& OptionSet::add(std::string key, E& value, Choices<E> choices, std::string doc) {
+OptionSet& OptionSet::add(const std::string& key, E& value, Choices<E> choices,
+                          const std::string& doc) {
   std::vector<std::string> names;
   for (const auto& choice : choices) names.push_back(choice.first);
   const auto index_of_value = [&value, choices] {
@@ -78,7 +80,7 @@ OptionSet& OptionSet::add(std::string key, E& value, Choices<E> choices, std::st
     return i;
   };
   const auto set_index = [&value, choices](std::size_t i) { value = choices[i].second; };
-  return add_choice(std::move(key), std::move(names), index_of_value, set_index, std::move(doc));
+  return add_choice(key, std::move(names), index_of_value, set_index, doc);
 }
 
 /// The candidate with the smallest edit distance to `word`; empty where there is no candidate.

@@ -3,6 +3,7 @@
 #include "cvo_slam/core/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -33,7 +34,15 @@ void Executor::for_each_chunk(
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) run(chunk);
     return;
   }
-  arena_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run); });
+  // TBB orders the chunks before the return by itself. The counter says it again where the thread
+  // sanitizer can see it: Debian's libtbb is not instrumented.
+  std::atomic<std::size_t> finished{0};
+  const auto run_and_count = [&](std::size_t chunk) {
+    run(chunk);
+    finished.fetch_add(1, std::memory_order_release);
+  };
+  arena_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run_and_count); });
+  static_cast<void>(finished.load(std::memory_order_acquire));
 }
 
 }  // namespace cvo_slam

@@ -16,8 +16,8 @@ class Executor {
   /// `threads` >= 1; with 1 everything runs in the calling thread.
   explicit Executor(int threads = 1);
   ~Executor();
-  Executor(Executor&&) noexcept;
-  Executor& operator=(Executor&&) noexcept;
+  Executor(Executor&& other) noexcept;
+  Executor& operator=(Executor&& other) noexcept;
 
   [[nodiscard]] int threads() const { return threads_; }
 

@@ -12,6 +12,6 @@ inline std::filesystem::path test_data() {
 }
 }  // namespace cvo_slam
 /// Skips the test with a clear line where the real data is not on this machine.
-#define CVO_SLAM_REQUIRE_DATA(relative)                                                    \
-  if (!std::filesystem::exists(cvo_slam::test_data() / (relative)))                        \
+#define CVO_SLAM_REQUIRE_DATA(relative)                             \
+  if (!std::filesystem::exists(cvo_slam::test_data() / (relative))) \
   GTEST_SKIP() << "no " << (cvo_slam::test_data() / (relative)) << "; set CVO_SLAM_DATA to run"

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "../core/trajectory_samples.h"
-#include "../temporary_folder.h"
-#include "../test_data.h"
 #include "cvo_slam/core/alignment.h"
 #include "cvo_slam/io/tum_trajectory.h"
-#include "run_program.h"
+#include "cvo_slam/tests/apps/run_program.h"
+#include "cvo_slam/tests/core/trajectory_samples.h"
+#include "cvo_slam/tests/temporary_folder.h"
+#include "cvo_slam/tests/test_data.h"
 
 namespace cvo_slam {
 namespace {

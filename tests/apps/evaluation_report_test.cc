@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "../core/trajectory_samples.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/tests/core/trajectory_samples.h"
 
 namespace cvo_slam {
 namespace {

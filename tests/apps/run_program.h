@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "../temporary_folder.h"
+#include "cvo_slam/tests/temporary_folder.h"
 
 namespace cvo_slam {
 

@@ -11,7 +11,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/pose_interpolation.h"
-#include "trajectory_samples.h"
+#include "cvo_slam/tests/core/trajectory_samples.h"
 
 namespace cvo_slam {
 namespace {

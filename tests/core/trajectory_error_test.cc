@@ -10,7 +10,7 @@
 #include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/relative_pose_error.h"
-#include "trajectory_samples.h"
+#include "cvo_slam/tests/core/trajectory_samples.h"
 
 namespace cvo_slam {
 namespace {

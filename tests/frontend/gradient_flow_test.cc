@@ -3,16 +3,15 @@
 //
 // The formulas of the flow, each against numeric differentiation of F and of
 // G(t) = F(h exp(t xi)) - F(h). Where the paper prints another formula, a test shows that it fails.
-#include "cvo_slam/frontend/gradient_flow_internal.h"
-
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "reference_align.h"
-#include "test_clouds.h"
+#include "cvo_slam/frontend/gradient_flow_internal.h"
+#include "cvo_slam/tests/frontend/reference_align.h"
+#include "cvo_slam/tests/frontend/test_clouds.h"
 
 namespace cvo_slam {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/frontend/objective_internal.h"
-#include "reference_align.h"
-#include "test_clouds.h"
+#include "cvo_slam/tests/frontend/reference_align.h"
+#include "cvo_slam/tests/frontend/test_clouds.h"
 
 namespace cvo_slam {
 namespace {
@@ -67,16 +67,15 @@ Matrix6 numeric_hessian(const Move& move) {
     for (int b = 0; b < 6; ++b) {
       const Vector6 da = kStep * Vector6::Unit(a);
       const Vector6 db = kStep * Vector6::Unit(b);
-      H(a, b) = (move(da + db) - move(da - db) - move(db - da) + move(-da - db)) /
-                (4 * kStep * kStep);
+      H(a, b) =
+          (move(da + db) - move(da - db) - move(db - da) + move(-da - db)) / (4 * kStep * kStep);
     }
   }
   return H;
 }
 
 TEST_P(ObjectiveDerivatives, HessianMatchesNumericDifferentiation) {
-  const Matrix6 numeric =
-      numeric_hessian([&](const Vector6& d) { return f(SE3::exp(d) * T_); });
+  const Matrix6 numeric = numeric_hessian([&](const Vector6& d) { return f(SE3::exp(d) * T_); });
   EXPECT_LT((value_.hessian + numeric).norm(), 1e-5 * numeric.norm());
 }
 

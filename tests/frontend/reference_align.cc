@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reference_align.h"
+#include "cvo_slam/tests/frontend/reference_align.h"
 
 #include <cmath>
 

@@ -11,8 +11,8 @@
 
 #include "cvo_slam/frontend/gradient_flow_internal.h"
 #include "cvo_slam/frontend/objective_internal.h"
-#include "reference_align.h"
-#include "test_clouds.h"
+#include "cvo_slam/tests/frontend/reference_align.h"
+#include "cvo_slam/tests/frontend/test_clouds.h"
 
 namespace cvo_slam {
 namespace {

@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "../test_data.h"
 #include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/relative_pose_error.h"
 #include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/tests/test_data.h"
 
 namespace cvo_slam {
 namespace {

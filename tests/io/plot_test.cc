@@ -8,12 +8,12 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "../core/trajectory_samples.h"
-#include "../temporary_folder.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/plot/plot_file.h"
 #include "cvo_slam/io/plot/ticks_internal.h"
 #include "cvo_slam/io/plot/trajectory_plot.h"
+#include "cvo_slam/tests/core/trajectory_samples.h"
+#include "cvo_slam/tests/temporary_folder.h"
 
 namespace cvo_slam {
 namespace {

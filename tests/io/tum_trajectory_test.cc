@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "../temporary_folder.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/tests/temporary_folder.h"
 
 namespace cvo_slam {
 namespace {

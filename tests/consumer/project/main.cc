@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A program of somebody else: writes a trajectory into the folder it is given, reads it back, and
+// sees the library's errors as exceptions of its own.
+#include <filesystem>
+#include <iostream>
+#include <numbers>
+
+#include <cvo_slam/core/error.h>
+#include <cvo_slam/core/se3.h>
+#include <cvo_slam/io/tum_trajectory.h>
+
+namespace {
+
+cvo_slam::Trajectory quarter_turns() {
+  cvo_slam::Vector6 tangent;
+  tangent << 1, 0, 0, 0, 0, std::numbers::pi / 2;
+  const cvo_slam::SE3 step = cvo_slam::SE3::exp(tangent);
+  cvo_slam::Trajectory trajectory;
+  cvo_slam::SE3 pose;
+  for (int second = 0; second <= 4; ++second) {
+    trajectory.poses.push_back({cvo_slam::Timestamp::from_seconds(second), pose});
+    pose = pose * step;
+  }
+  return trajectory;
+}
+
+bool missing_file_throws(const std::filesystem::path& folder) {
+  try {
+    static_cast<void>(cvo_slam::read_tum(folder / "no_such_file.txt"));
+  } catch (const cvo_slam::InputError&) {
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const std::filesystem::path folder = argv[1];
+  cvo_slam::write_tum(folder / "trajectory.txt", quarter_turns());
+  const auto poses = cvo_slam::read_tum(folder / "trajectory.txt");
+
+  // Four quarter turns of a circle end where they began, up to the nine digits of the file.
+  const double gap = poses.back().T_world_camera.translation().norm();
+  const bool ok = poses.size() == 5 && gap < 1e-8 && missing_file_throws(folder);
+  std::cout << poses.size() << " poses, the circle's gap is " << gap << " m\n";
+  return ok ? 0 : 1;
+}
