@@ -4,9 +4,6 @@
 
 namespace cvo_slam {
 
-void add_commands(CLI::App& app, Action& action) {
-  static_cast<void>(app);
-  static_cast<void>(action);
-}
+void add_commands(CLI::App& app, Action& action) { add_synth_command(app, action); }
 
 }  // namespace cvo_slam
