@@ -2,35 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/tum_trajectory.h"
 
-#include <charconv>
-#include <cmath>
+#include <array>
 #include <fstream>
-#include <optional>
-#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/stamp_order_internal.h"
+#include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
 namespace {
-
-std::optional<double> parse_finite(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::vector<std::string> split(const std::string& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
 
 StampedPose parse_pose(const std::vector<std::string>& words, const std::filesystem::path& file,
                        long line) {
@@ -71,22 +54,26 @@ std::string format_pose(const StampedPose& pose) {
 }  // namespace
 
 std::vector<StampedPose> read_tum(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError(file, "cannot be opened; check the path");
   std::vector<StampedPose> poses;
-  long line_number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++line_number;
-    const auto words = split(line);
-    if (words.empty() || words.front().front() == '#') continue;
-    poses.push_back(parse_pose(words, file, line_number));
+  for (const auto& line : read_word_lines(file)) {
+    poses.push_back(parse_pose(line.words, file, line.number));
     if (poses.size() > 1 && poses[poses.size() - 2].stamp >= poses.back().stamp) {
-      throw InputError(file, line_number,
+      throw InputError(file, line.number,
                        fmt::format("stamp {} is not after the one before it; sort the file by time "
                                    "and remove duplicates",
-                                   words[0]));
+                                   line.words[0]));
     }
   }
+  return poses;
+}
+
+std::vector<StampedPose> read_tum_in_any_order(const std::filesystem::path& file,
+                                               std::vector<std::string>& notes) {
+  std::vector<StampedPose> poses;
+  for (const auto& line : read_word_lines(file)) {
+    poses.push_back(parse_pose(line.words, file, line.number));
+  }
+  repair_stamp_order(poses, file.filename().string(), notes);
   return poses;
 }
 

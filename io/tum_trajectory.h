@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "cvo_slam/core/trajectory.h"
@@ -13,6 +14,11 @@ namespace cvo_slam {
 /// Throws InputError with the line number for a wrong number of values, a value that is not finite,
 /// a quaternion of zero length, or stamps out of order or duplicated.
 [[nodiscard]] std::vector<StampedPose> read_tum(const std::filesystem::path& file);
+
+/// As read_tum(), but for files as they are found: poses out of order are sorted, the later ones of
+/// equal stamps dropped, and `notes` says so.
+[[nodiscard]] std::vector<StampedPose> read_tum_in_any_order(const std::filesystem::path& file,
+                                                             std::vector<std::string>& notes);
 
 /// Writes a trajectory in TUM format, a line a frame; a frame without a pose becomes a comment line
 /// "# lost <stamp> <reason>". Throws OutputError.

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/image_file_internal.h"
+#include "cvo_slam/io/text_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+using Path = std::filesystem::path;
+
+/// Whether a PNG or JPEG file has its end. OpenCV fills the rest of a cut JPEG with grey without a
+/// word, and libpng writes to stderr.
+bool is_whole(std::string_view bytes) {
+  constexpr std::string_view kPngStart("\x89PNG\r\n\x1a\n", 8);
+  constexpr std::string_view kPngEnd("IEND\xae\x42\x60\x82", 8);
+  constexpr std::string_view kJpegStart("\xff\xd8", 2);
+  constexpr std::string_view kJpegEnd("\xff\xd9", 2);
+  // Some writers pad their files.
+  constexpr std::size_t kPadding = 64;
+  const std::string_view tail =
+      bytes.substr(bytes.size() - std::min(bytes.size(), kPngEnd.size() + kPadding));
+  if (bytes.starts_with(kPngStart)) return tail.find(kPngEnd) != std::string_view::npos;
+  if (bytes.starts_with(kJpegStart)) return tail.find(kJpegEnd) != std::string_view::npos;
+  return !bytes.empty();
+}
+
+/// Decoded as it is: no conversion, no turning by the EXIF orientation.
+cv::Mat decode(const Path& file) {
+  // Not cv::imread, which writes a warning to stderr where the file is missing.
+  const std::string bytes = read_text_file(file);
+  if (!is_whole(bytes)) throw InputError(file, "the image file is empty or cut off");
+  cv::Mat image;
+  try {
+    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
+                         const_cast<char*>(bytes.data()));  // NOLINT: only read from
+    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  if (image.empty()) throw InputError(file, "the image cannot be decoded; the file is broken");
+  return image;
+}
+
+void check_size(const cv::Mat& image, cv::Size size, const Path& file) {
+  if (image.size() == size) return;
+  throw InputError(file, fmt::format("the image has {}x{} pixels, its camera {}x{}", image.cols,
+                                     image.rows, size.width, size.height));
+}
+
+}  // namespace
+
+cv::Mat read_color_image(const Path& file, cv::Size size) {
+  cv::Mat image = decode(file);
+  if (image.depth() != CV_8U || image.channels() == 2) {
+    throw InputError(file, fmt::format("a colour image must have 8 bits and 1, 3 or 4 channels, "
+                                       "this one has {} and {}",
+                                       8 * image.elemSize1(), image.channels()));
+  }
+  check_size(image, size, file);
+  if (image.channels() == 4) cv::cvtColor(image, image, cv::COLOR_BGRA2BGR);
+  return image;
+}
+
+cv::Mat read_depth_image(const Path& file, cv::Size size) {
+  cv::Mat image = decode(file);
+  if (image.type() != CV_16UC1) {
+    throw InputError(
+        file, fmt::format("a depth image must have 16 bits and 1 channel, this one has {} and {}",
+                          8 * image.elemSize1(), image.channels()));
+  }
+  check_size(image, size, file);
+  return image;
+}
+
+bool is_depth_image(const Path& file) {
+  try {
+    return decode(file).type() == CV_16UC1;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/io/text_internal.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+
+std::optional<double> parse_finite(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::vector<std::string> split_words(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::string read_text_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  // A folder can be opened on Linux; only reading from it fails.
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw InputError(file, "cannot be opened; check the path and its permissions");
+  }
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) throw InputError(file, "cannot be read to its end; check the disk");
+  return text;
+}
+
+std::vector<TextLine> read_word_lines(const std::filesystem::path& file) {
+  std::istringstream stream(read_text_file(file));
+  std::vector<TextLine> lines;
+  long number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    auto words = split_words(line);
+    if (words.empty() || words.front().front() == '#') continue;
+    lines.push_back({number, std::move(words)});
+  }
+  return lines;
+}
+
+std::string to_lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+}  // namespace cvo_slam
