@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/synthetic/random_internal.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "cvo_slam/io/synthetic/furniture_internal.h"
 #include "cvo_slam/io/synthetic/materials_internal.h"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "cvo_slam/io/synthetic/scene_builder_internal.h"
 
 namespace cvo_slam::synthetic {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "cvo_slam/io/synthetic/shape_internal.h"
 
 namespace cvo_slam::synthetic {
