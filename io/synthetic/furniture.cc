@@ -122,9 +122,9 @@ void Wall::bed(double x, double width) const {
   constexpr double kDepth = 0.95;
   box({x, 0, 0.05}, {width, kDepth, 0.25}, materials::walnut());
   box({x, 0.02, 0.3}, {width - 0.06, kDepth - 0.04, 0.18}, materials::linen());
-  box({x - 0.2, 0.01, 0.32}, {0.65 * width, kDepth, 0.19}, materials::blanket());
-  box({x + 0.5 * width - 0.28, 0.12, 0.48}, {0.4, 0.68, 0.12}, materials::linen());
-  box({x + 0.5 * width, 0, 0}, {0.05, kDepth, 0.9}, materials::upright(materials::walnut()));
+  box({x + 0.2, 0.01, 0.32}, {0.65 * width, kDepth, 0.19}, materials::blanket());
+  box({x - 0.5 * width + 0.28, 0.12, 0.48}, {0.4, 0.68, 0.12}, materials::linen());
+  box({x - 0.5 * width, 0, 0}, {0.05, kDepth, 0.9}, materials::upright(materials::walnut()));
 }
 
 void Wall::sofa(double x, double width) const {

@@ -28,7 +28,7 @@ inline Texture brickwork() {
   return {Pattern::kBricks, {0.62, 0.31, 0.22}, {0.74, 0.71, 0.66}, 0.24, 0.6};
 }
 inline Texture wallpaper() {
-  return {Pattern::kStripes, {0.80, 0.78, 0.66}, {0.46, 0.58, 0.50}, 0.22, 0.35};
+  return {Pattern::kStripes, {0.82, 0.80, 0.68}, {0.52, 0.63, 0.55}, 0.16, 0.3};
 }
 inline Texture rug() {
   return {Pattern::kCarpet, {0.55, 0.13, 0.12}, {0.86, 0.74, 0.50}, 0.10, 0.5};
@@ -37,10 +37,10 @@ inline Texture blanket() {
   return {Pattern::kPlaid, {0.20, 0.30, 0.55}, {0.90, 0.86, 0.74}, 0.16, 0.5};
 }
 inline Texture linen() {
-  return {Pattern::kPlaid, {0.92, 0.91, 0.88}, {0.70, 0.72, 0.80}, 0.09, 0.3};
+  return {Pattern::kPlaid, {0.92, 0.91, 0.88}, {0.62, 0.66, 0.78}, 0.08, 0.15};
 }
 inline Texture upholstery() {
-  return {Pattern::kPlaid, {0.34, 0.42, 0.30}, {0.22, 0.27, 0.20}, 0.06, 0.6};
+  return {Pattern::kPlaid, {0.36, 0.45, 0.33}, {0.22, 0.28, 0.20}, 0.06, 0.5};
 }
 inline Texture cardboard() {
   return {Pattern::kText, {0.70, 0.54, 0.36}, {0.30, 0.20, 0.12}, 0.07, 0.4};

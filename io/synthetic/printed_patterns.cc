@@ -19,8 +19,9 @@ constexpr int kLetterColumns = 4;
 constexpr int kLineRows = 7;
 constexpr double kGapShare = 1.0 / 6.0;
 constexpr double kDotShare = 0.6;
-constexpr double kMeanInk =
-    (1 - kGapShare) * kDotShare * (3.0 * 5.0) / (kLetterColumns * kLineRows);
+constexpr int kLetterRows = 5;
+constexpr double kLineShare = static_cast<double>(kLetterRows) / kLineRows;
+constexpr double kMeanLineInk = (1 - kGapShare) * kDotShare * (kLetterColumns - 1) / kLetterColumns;
 
 std::int32_t floor_div(std::int32_t a, std::int32_t b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
@@ -29,8 +30,8 @@ std::int32_t floor_div(std::int32_t a, std::int32_t b) {
 double dot(std::uint32_t seed, std::int32_t column, std::int32_t row) {
   const std::int32_t letter = floor_div(column, kLetterColumns);
   const std::int32_t line = floor_div(row, kLineRows);
-  const bool spacing =
-      column - letter * kLetterColumns == kLetterColumns - 1 || row - line * kLineRows >= 5;
+  const bool spacing = column - letter * kLetterColumns == kLetterColumns - 1 ||
+                       row - line * kLineRows >= kLetterRows;
   if (spacing || hash_unit(seed, letter, line) < kGapShare) return 0;
   return hash_unit(seed + 1, column, row) < kDotShare ? 1 : 0;
 }
@@ -94,8 +95,10 @@ double ink(std::uint32_t seed, double line, const SurfacePoint& p) {
   const double share = filtered_cells(
       p.u / size, p.v / size, p.footprint_u / size, p.footprint_v / size,
       [seed](std::int32_t column, std::int32_t row) { return dot(seed, column, row); });
-  // Dots that cannot be resolved become the grey of the line, lines the grey of the page.
-  return kMeanInk + (share - kMeanInk) * fade(size, 0.5 * footprint(p));
+  // Dots that cannot be resolved become the grey of their line, lines the grey of the page.
+  const double line_share =
+      kMeanLineInk * filtered_pulse(p.v / line, kLineShare, p.footprint_v / line);
+  return line_share + (share - line_share) * fade(size, 0.5 * footprint(p));
 }
 
 Color text(const Texture& texture, const SurfacePoint& p) {

@@ -81,8 +81,8 @@ Scene room_scene(std::uint32_t seed) {
   furnish_west(builder);
   table(builder, {-1.15, -0.1, 0}, {0.55, 0.9, 0.42});
   builder.box({0, 0, kCeiling - 0.12}, {0.45, 0.45, 0.12}, materials::linen());
-  builder.light({0.3, 0.2, 2.3}, 1.0);
-  builder.light({-2.0, -0.5, 1.9}, 0.5);  // daylight near the window
+  builder.light({0.3, 0.2, 2.2}, 1.9);
+  builder.light({-2.0, -0.5, 1.6}, 0.9);  // daylight near the window
   return builder.scene();
 }
 
@@ -96,7 +96,7 @@ CameraPath room_path(std::uint32_t seed) {
     const Vector3 position(radius * std::cos(angle) + 0.1, radius * std::sin(angle),
                            1.3 + 0.14 * std::sin(2 * angle));
     const Vector3 target(kEast * std::cos(angle + 0.25), kNorth * std::sin(angle + 0.25),
-                         0.95 + 0.2 * std::cos(3 * angle));
+                         0.8 + 0.25 * std::cos(3 * angle));
     viewpoints.push_back({position, target});
   }
   return {viewpoints, kDuration, Tremor{.seed = seed}};

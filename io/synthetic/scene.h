@@ -44,7 +44,7 @@ struct PointLight {
 struct Scene {
   std::vector<Primitive> primitives;
   std::vector<PointLight> lights;
-  double ambient = 0.4;  ///< grey level share of a white surface without any lamp
+  double ambient = 0.5;  ///< grey level share of a white surface without any lamp
 };
 
 /// Distance from a point to the nearest surface, 0 inside a box [m]; infinite in an empty scene.

@@ -48,7 +48,7 @@ Color pattern_color(const Texture& texture, const SurfacePoint& p) {
 double footprint(const SurfacePoint& p) { return std::max(p.footprint_u, p.footprint_v); }
 
 double mottle(const Texture& texture, const SurfacePoint& p) {
-  constexpr Octaves kIrregularities{.largest = 0.4, .count = 7, .persistence = 0.75};
+  constexpr Octaves kIrregularities{.largest = 0.3, .count = 6, .persistence = 0.75};
   return 1 + texture.contrast * value_noise(texture.seed, p.u, p.v, footprint(p), kIrregularities);
 }
 

@@ -15,12 +15,12 @@ double smooth(double s) { return s * s * s * (s * (6 * s - 15) + 10); }
 double octave(std::uint32_t seed, double u, double v) {
   const double column = std::floor(u);
   const double row = std::floor(v);
-  const auto i = static_cast<std::int32_t>(column);
-  const auto j = static_cast<std::int32_t>(row);
   const double a = smooth(u - column);
   const double b = smooth(v - row);
-  const double top = hash_unit(seed, i, j) * (1 - a) + hash_unit(seed, i + 1, j) * a;
-  const double bottom = hash_unit(seed, i, j + 1) * (1 - a) + hash_unit(seed, i + 1, j + 1) * a;
+  const std::uint32_t at =
+      lattice_position(seed, static_cast<std::int32_t>(column), static_cast<std::int32_t>(row));
+  const double top = unit(mixed(at)) * (1 - a) + unit(mixed(at + kStepX)) * a;
+  const double bottom = unit(mixed(at + kStepY)) * (1 - a) + unit(mixed(at + kStepX + kStepY)) * a;
   return 2 * (top * (1 - b) + bottom * b) - 1;
 }
 

@@ -17,6 +17,8 @@ Vector3 half_extent_of(const Primitive& primitive) {
   return std::visit([](const auto& shape) { return half_extent(shape); }, primitive.shape);
 }
 
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 }  // namespace
 
 View::View(const Scene& scene, const PinholeCamera& camera, const SE3& T_world_camera)
@@ -30,48 +32,56 @@ View::View(const Scene& scene, const PinholeCamera& camera, const SE3& T_world_c
   for (const auto& primitive : scene.primitives) {
     const SE3 T_shape_camera = primitive.T_world_shape.inverse() * T_world_camera;
     placed_.push_back({T_shape_camera.rotation(), T_shape_camera.translation()});
-    add_to_tiles(static_cast<std::uint16_t>(placed_.size() - 1));
+    add_to_tiles(placed_.size() - 1);
+  }
+  for (auto& tile : tiles_) {
+    std::stable_sort(tile.begin(), tile.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.nearest < b.nearest; });
   }
 }
 
-void View::add_to_tiles(std::uint16_t index) {
-  const Rect bounds = image_bounds(index);
+void View::add_to_tiles(std::size_t index) {
+  const Bounds bounds = image_bounds(index);
   for (int row = bounds.top / kTile; row <= bounds.bottom / kTile; ++row) {
     for (int column = bounds.left / kTile; column <= bounds.right / kTile; ++column) {
-      tiles_[static_cast<std::size_t>(row * tile_columns_ + column)].push_back(index);
+      tiles_[static_cast<std::size_t>(row * tile_columns_ + column)].push_back(
+          {static_cast<std::uint32_t>(index), bounds.nearest});
     }
   }
 }
 
-View::Rect View::image_bounds(std::size_t index) const {
+View::Bounds View::image_bounds(std::size_t index) const {
   constexpr double kNear = 1e-3;  // [m]
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Vector3 half = half_extent_of(scene_.primitives[index]);
   const Placed& placed = placed_[index];
-  Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Array2d low = Eigen::Array2d::Constant(kInfinity);
   Eigen::Array2d high = -low;
-  int behind = 0;
+  double nearest = kInfinity;
+  double farthest = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
                        (corner & 4) != 0 ? 1 : -1);
     const Vector3 point =
         placed.R_shape_camera.transpose() * (half.cwiseProduct(sign) - placed.camera_in_shape);
-    if (point.z() < kNear) {
-      ++behind;
-      continue;
-    }
+    nearest = std::min(nearest, point.z());
+    farthest = std::max(farthest, point.z());
+    if (point.z() < kNear) continue;
     const Eigen::Array2d pixel = camera_.project(point).array();
     low = low.min(pixel);
     high = high.max(pixel);
   }
-  if (behind == 8) return {0, 0, -1, -1};
-  if (behind > 0) return {0, 0, camera_.width - 1, camera_.height - 1};
-  // Positions on the image reach half a pixel beyond a pixel's centre.
+  if (farthest <= 0) return {};
   const Eigen::Array2d last(camera_.width - 1, camera_.height - 1);
-  if ((high < -0.5).any() || (low > last + 0.5).any()) return {0, 0, -1, -1};
+  // A primitive that reaches behind the camera has no bounded projection.
+  if (nearest < kNear) return {0, 0, camera_.width - 1, camera_.height - 1, 0};
+  // Positions on the image reach half a pixel beyond a pixel's centre.
+  if ((high < -0.5).any() || (low > last + 0.5).any()) return {};
   low = (low - 1).floor().max(0.0).min(last);
   high = (high + 1).ceil().max(0.0).min(last);
+  // Less by far more than rounding: a bound that is too low only costs time.
   return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x()),
-          static_cast<int>(high.y())};
+          static_cast<int>(high.y()), nearest - 1e-6};
 }
 
 std::size_t View::tile_of(double x, double y) const {
@@ -93,12 +103,13 @@ Visible View::look(double x, double y) const {
   // With z = 1 in the direction, a ray's distance is the depth.
   const Vector3 direction = View::direction(x, y);
   Visible nearest;
-  for (const std::uint16_t index : tiles_[tile_of(x, y)]) {
+  for (const auto& [index, bound] : tiles_[tile_of(x, y)]) {
+    if (nearest.primitive != Visible::kNothing && bound > nearest.depth) break;
     const Ray ray = ray_in(index, direction);
     const auto hit = std::visit([&ray](const auto& shape) { return intersect(shape, ray); },
                                 scene_.primitives[index].shape);
     if (hit && (nearest.primitive == Visible::kNothing || hit->distance < nearest.depth)) {
-      nearest = {hit->distance, index, hit->face};
+      nearest = {hit->distance, static_cast<std::int32_t>(index), hit->face};
     }
   }
   return nearest;
@@ -126,8 +137,8 @@ Color View::shade(const Visible& visible, double x, double y, double side) const
                             surface.v,
                             surface.size_u,
                             surface.size_v,
-                            std::hypot(surface.right.dot(across), surface.right.dot(along)),
-                            std::hypot(surface.down.dot(across), surface.down.dot(along))};
+                            length(surface.right.dot(across), surface.right.dot(along)),
+                            length(surface.down.dot(across), surface.down.dot(along))};
 
   const Vector3 towards_viewer = slope < 0 ? surface.normal : Vector3(-surface.normal);
   return sample(primitive.texture, lookup) *

@@ -39,13 +39,19 @@ class View {
     Matrix3 R_shape_camera;
     Vector3 camera_in_shape;
   };
-  /// Pixels, inclusive.
-  struct Rect {
-    int left, top, right, bottom;
+  /// The part of the image where a primitive may be visible (pixels, inclusive), and a lower bound
+  /// of its depth there.
+  struct Bounds {
+    int left = 0, top = 0, right = -1, bottom = -1;
+    double nearest = 0;  ///< [m]
+  };
+  struct Candidate {
+    std::uint32_t primitive;
+    double nearest;  ///< lower bound of the depth [m]
   };
 
-  void add_to_tiles(std::uint16_t index);
-  [[nodiscard]] Rect image_bounds(std::size_t index) const;
+  void add_to_tiles(std::size_t index);
+  [[nodiscard]] Bounds image_bounds(std::size_t index) const;
   [[nodiscard]] std::size_t tile_of(double x, double y) const;
   [[nodiscard]] Vector3 direction(double x, double y) const;
   [[nodiscard]] Ray ray_in(std::size_t index, const Vector3& direction) const;
@@ -56,7 +62,7 @@ class View {
   SE3 T_world_camera_;
   std::vector<Placed> placed_;
   int tile_columns_;
-  std::vector<std::vector<std::uint16_t>> tiles_;
+  std::vector<std::vector<Candidate>> tiles_;  // nearest first
 };
 
 }  // namespace cvo_slam::synthetic

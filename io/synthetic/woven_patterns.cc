@@ -13,9 +13,8 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-/// Crossed threads of 1/8 of the pattern's unit, in [-1, 1].
-double weave(const Texture& texture, const SurfacePoint& p) {
-  const double thread = texture.scale / 8;
+/// Crossed threads of `thread` [m], in [-1, 1].
+double weave(const Texture& texture, double thread, const SurfacePoint& p) {
   const double tone = filtered_cells(
       p.u / thread, p.v / thread, p.footprint_u / thread, p.footprint_v / thread,
       [&](std::int32_t i, std::int32_t j) { return 2 * hash_unit(texture.seed, i, j) - 1; });
@@ -40,7 +39,7 @@ Color stripes(const Texture& texture, const SurfacePoint& p) {
   const double broad = filtered_pulse(x, 0.5, width);
   const double narrow = filtered_pulse(x + 0.2, 0.08, width);
   const Color ground = mix(texture.base, texture.accent, 0.35 * broad + 0.65 * narrow);
-  return ground * (1 + 0.5 * texture.contrast * weave(texture, p));
+  return ground * (1 + 0.5 * texture.contrast * weave(texture, texture.scale / 16, p));
 }
 
 Color plaid(const Texture& texture, const SurfacePoint& p) {
@@ -51,7 +50,7 @@ Color plaid(const Texture& texture, const SurfacePoint& p) {
   };
   const double share = 0.5 * (bands(p.u, p.footprint_u) + bands(p.v, p.footprint_v));
   return mix(texture.base, texture.accent, share) *
-         (1 + 0.6 * texture.contrast * weave(texture, p));
+         (1 + 0.6 * texture.contrast * weave(texture, texture.scale / 8, p));
 }
 
 Color carpet(const Texture& texture, const SurfacePoint& p) {
@@ -63,7 +62,7 @@ Color carpet(const Texture& texture, const SurfacePoint& p) {
   const double inside = std::clamp((to_edge - 2) / width + 0.5, 0.0, 1.0);
   const double share = inside * 0.8 * lozenges(texture, p) + (1 - inside) * lines;
   return mix(texture.base, texture.accent, share) *
-         (1 + 0.8 * texture.contrast * weave(texture, p));
+         (1 + 0.8 * texture.contrast * weave(texture, texture.scale / 8, p));
 }
 
 }  // namespace cvo_slam::synthetic
