@@ -112,9 +112,16 @@ Color poster(const Texture& texture, const SurfacePoint& p) {
   const SurfacePoint title = part(p, 0.08, 0.74, 0.92, 0.84);
   const SurfacePoint lines = part(p, 0.08, 0.87, 0.92, 0.96);
   Color color = texture.base;
-  color = mix(color, picture(texture.seed, image), inside(image));
-  color = mix(color, texture.accent, inside(title) * ink(texture.seed, title.size_v, title));
-  return mix(color, texture.accent, inside(lines) * ink(texture.seed, lines.size_v / 3, lines));
+  if (const double share = inside(image); share > 0) {
+    color = mix(color, picture(texture.seed, image), share);
+  }
+  if (const double share = inside(title); share > 0) {
+    color = mix(color, texture.accent, share * ink(texture.seed, title.size_v, title));
+  }
+  if (const double share = inside(lines); share > 0) {
+    color = mix(color, texture.accent, share * ink(texture.seed, lines.size_v / 3, lines));
+  }
+  return color;
 }
 
 Color spine(const Texture& texture, const SurfacePoint& p) {
@@ -142,6 +149,7 @@ Color landscape(const Texture& texture, const SurfacePoint& p) {
     const double ridge =
         kHorizons[k] * p.size_v + 0.15 * value_noise(seed, p.u, 0, footprint(p), kClouds);
     const double covered = std::clamp((p.v - ridge) / p.footprint_v + 0.5, 0.0, 1.0);
+    if (covered == 0) continue;
     const double leaves = value_noise(seed, p.u, p.v, footprint(p), {0.08, 5, 0.8});
     const Color hill = texture.accent * (1.3 - 0.3 * static_cast<double>(k)) * (1 + 0.8 * leaves);
     color = mix(color, hill, covered);

@@ -3,6 +3,7 @@
 #include "cvo_slam/io/synthetic/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "cvo_slam/core/error.h"
@@ -44,18 +45,32 @@ class VisibilityImage {
   std::vector<Visible> pixels_;
 };
 
-/// The mean colour of a grid of rays through the pixel.
+/// The mean colour of the surfaces that a grid of rays through the pixel meets. Each surface is
+/// shaded once, with the number of its rays as weight.
 Color supersample(const View& view, int x, int y) {
-  constexpr int kRays = 3;  // along each side
-  Color sum = Color::Zero();
-  for (int row = 0; row < kRays; ++row) {
-    for (int column = 0; column < kRays; ++column) {
-      const double u = x + (column + 0.5) / kRays - 0.5;
-      const double v = y + (row + 0.5) / kRays - 0.5;
-      sum += view.shade(view.look(u, v), u, v, 1.0 / kRays);
-    }
+  constexpr int kSide = 3;
+  constexpr int kRays = kSide * kSide;
+  struct Sample {
+    Visible visible;
+    double u, v;
+  };
+  std::array<Sample, kRays> samples;
+  for (int i = 0; i < kRays; ++i) {
+    const double u = x + (i % kSide + 0.5) / kSide - 0.5;
+    const double v = y + (i / kSide + 0.5) / kSide - 0.5;
+    samples[static_cast<std::size_t>(i)] = {view.look(u, v), u, v};
   }
-  return sum / (kRays * kRays);
+  Color sum = Color::Zero();
+  for (auto begin = samples.begin(); begin != samples.end();) {
+    const Visible first = begin->visible;
+    const auto end = std::partition(begin, samples.end(), [&](const Sample& sample) {
+      return sample.visible.same_surface(first);
+    });
+    const Sample& middle = *(begin + (end - begin) / 2);
+    sum += static_cast<double>(end - begin) * view.shade(middle.visible, middle.u, middle.v, 1.0);
+    begin = end;
+  }
+  return sum / kRays;
 }
 
 cv::Vec3f to_grey_levels(const Color& color) {

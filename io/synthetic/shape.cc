@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -30,27 +29,22 @@ std::array<Vector3, 2> face_axes(int face) {
 }  // namespace
 
 std::optional<Hit> intersect(const Box& box, const Ray& ray) {
-  double enter = -std::numeric_limits<double>::infinity();
-  double leave = std::numeric_limits<double>::infinity();
-  int enter_axis = 0;
-  int leave_axis = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double inverse = 1 / ray.direction[axis];
-    // Written so that a ray along the slab (inverse = inf) gives infinities, not NaN.
-    const double one = (-0.5 * box.size[axis] - ray.origin[axis]) * inverse;
-    const double other = (0.5 * box.size[axis] - ray.origin[axis]) * inverse;
-    if (std::min(one, other) > enter) {
-      enter = std::min(one, other);
-      enter_axis = axis;
-    }
-    if (std::max(one, other) < leave) {
-      leave = std::max(one, other);
-      leave_axis = axis;
-    }
-  }
+  // Slabs: the ray is inside the box where it is between all three pairs of faces. Written so that
+  // a ray along a slab (inverse = inf) gives infinities, and without branches before the miss.
+  const Eigen::Array3d inverse = ray.direction.array().inverse();
+  const Eigen::Array3d low = (-0.5 * box.size - ray.origin).array() * inverse;
+  const Eigen::Array3d high = (0.5 * box.size - ray.origin).array() * inverse;
+  const Eigen::Array3d into = low.min(high);
+  const Eigen::Array3d out = low.max(high);
+  const double enter = std::max(std::max(into[0], into[1]), into[2]);
+  const double leave = std::min(std::min(out[0], out[1]), out[2]);
   if (enter > leave || leave <= 0) return std::nullopt;
-  if (enter > 0) return Hit{enter, face_of(enter_axis, ray.direction[enter_axis] < 0)};
-  return Hit{leave, face_of(leave_axis, ray.direction[leave_axis] > 0)};  // seen from inside
+
+  const bool from_inside = enter <= 0;
+  const double distance = from_inside ? leave : enter;
+  const Eigen::Array3d& distances = from_inside ? out : into;
+  const int axis = distances[0] == distance ? 0 : distances[1] == distance ? 1 : 2;
+  return Hit{distance, face_of(axis, (ray.direction[axis] > 0) == from_inside)};
 }
 
 std::optional<Hit> intersect(const Rectangle& rectangle, const Ray& ray) {
