@@ -19,6 +19,9 @@ double joint_share(double x, double period, double joint, double pixel) {
   return filtered_pulse(x / period + 0.5 * joint / period, joint / period, pixel / period);
 }
 
+/// The share of two joints that cross.
+double crossed(double across, double along) { return across + along - across * along; }
+
 /// Light and dark year rings that meander along the plank, in [-1, 1].
 double rings(const Texture& texture, const SurfacePoint& p) {
   constexpr double kSpacing = 0.018;  // [m]
@@ -47,8 +50,8 @@ Color wood(const Texture& texture, const SurfacePoint& p) {
   const double shift = length * hash_unit(texture.seed, plank, 3);
   const auto piece = static_cast<std::int32_t>(std::floor((p.u + shift) / length));
   const double tone = hash_unit(texture.seed, plank, 100 + piece) - 0.5;
-  const double seam = std::max(joint_share(p.v, texture.scale, kJoint, p.footprint_v),
-                               joint_share(p.u + shift, length, kJoint, p.footprint_u));
+  const double seam = crossed(joint_share(p.v, texture.scale, kJoint, p.footprint_v),
+                              joint_share(p.u + shift, length, kJoint, p.footprint_u));
 
   const double share =
       std::clamp(0.4 + 0.5 * tone + 0.25 * rings(texture, p) + 0.4 * fibres(texture, p), 0.0, 1.0);
@@ -61,8 +64,8 @@ Color bricks(const Texture& texture, const SurfacePoint& p) {
   const auto row = static_cast<std::int32_t>(std::floor(p.v / height));
   const double u = p.u + (row % 2 != 0 ? 0.5 * texture.scale : 0.0);
   const auto column = static_cast<std::int32_t>(std::floor(u / texture.scale));
-  const double mortar = std::max(joint_share(p.v, height, joint, p.footprint_v),
-                                 joint_share(u, texture.scale, joint, p.footprint_u));
+  const double mortar = crossed(joint_share(p.v, height, joint, p.footprint_v),
+                                joint_share(u, texture.scale, joint, p.footprint_u));
   const double tone = 0.6 * (hash_unit(texture.seed, column, row) - 0.5);
   const Color brick = texture.base * (1 + tone * fade(height, footprint(p)));
   return mix(brick, texture.accent, mortar);
@@ -74,8 +77,8 @@ Color tiles(const Texture& texture, const SurfacePoint& p) {
       filtered_cells(p.u / texture.scale, p.v / texture.scale, p.footprint_u / texture.scale,
                      p.footprint_v / texture.scale,
                      [](std::int32_t i, std::int32_t j) { return (i + j) % 2 == 0 ? 0.0 : 1.0; });
-  const double gap = std::max(joint_share(p.u, texture.scale, joint, p.footprint_u),
-                              joint_share(p.v, texture.scale, joint, p.footprint_v));
+  const double gap = crossed(joint_share(p.u, texture.scale, joint, p.footprint_u),
+                             joint_share(p.v, texture.scale, joint, p.footprint_v));
   const double share = 0.5 + (parity - 0.5) * fade(texture.scale, footprint(p));
   return mix(texture.base, texture.accent, share) * (1 - 0.6 * gap);
 }

@@ -21,10 +21,14 @@ constexpr double kGapShare = 1.0 / 6.0;
 constexpr double kDotShare = 0.6;
 constexpr int kLetterRows = 5;
 constexpr double kLineShare = static_cast<double>(kLetterRows) / kLineRows;
-constexpr double kMeanLineInk = (1 - kGapShare) * kDotShare * (kLetterColumns - 1) / kLetterColumns;
+constexpr double kLetterInk = kDotShare * (kLetterColumns - 1) / kLetterColumns;  // in its rows
 
 std::int32_t floor_div(std::int32_t a, std::int32_t b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
+}
+
+bool is_gap(std::uint32_t seed, std::int32_t letter, std::int32_t line) {
+  return hash_unit(seed, letter, line) < kGapShare;
 }
 
 double dot(std::uint32_t seed, std::int32_t column, std::int32_t row) {
@@ -32,8 +36,19 @@ double dot(std::uint32_t seed, std::int32_t column, std::int32_t row) {
   const std::int32_t line = floor_div(row, kLineRows);
   const bool spacing = column - letter * kLetterColumns == kLetterColumns - 1 ||
                        row - line * kLineRows >= kLetterRows;
-  if (spacing || hash_unit(seed, letter, line) < kGapShare) return 0;
+  if (spacing || is_gap(seed, letter, line)) return 0;
   return hash_unit(seed + 1, column, row) < kDotShare ? 1 : 0;
+}
+
+/// Ink where single dots cannot be told apart, but perhaps words and lines.
+double unresolved_ink(std::uint32_t seed, double line, const SurfacePoint& p) {
+  const double letter = line * kLetterColumns / kLineRows;
+  const double printed = filtered_cells(
+      p.u / letter, p.v / line, p.footprint_u / letter, p.footprint_v / line,
+      [seed](std::int32_t i, std::int32_t j) { return is_gap(seed, i, j) ? 0.0 : 1.0; });
+  const double words =
+      (1 - kGapShare) + (printed - (1 - kGapShare)) * fade(letter, 0.5 * footprint(p));
+  return kLetterInk * words * filtered_pulse(p.v / line, kLineShare, p.footprint_v / line);
 }
 
 /// The part of a surface between the shares (left, top) and (right, bottom) of its size.
@@ -82,7 +97,7 @@ Color picture(std::uint32_t seed, const SurfacePoint& p) {
   const double level = kBands * (0.5 + 0.9 * height);
   const double band = std::floor(level);
   // The seam between bands is as wide as the relief's slope makes a pixel, at least roughly.
-  const double softness = std::min(1.0, 0.02 + 4 * kBands * footprint(p) / p.size_u);
+  const double softness = std::min(1.0, 0.02 + 2 * kBands * footprint(p) / p.size_u);
   const double seam = std::clamp((level - band - 1 + softness) / softness, 0.0, 1.0);
   const auto index = static_cast<std::int32_t>(band);
   return with_discs(mix(vivid(seed, index), vivid(seed, index + 1), seam), seed, p);
@@ -92,13 +107,14 @@ Color picture(std::uint32_t seed, const SurfacePoint& p) {
 
 double ink(std::uint32_t seed, double line, const SurfacePoint& p) {
   const double size = line / kLineRows;
-  const double share = filtered_cells(
+  const double resolved = fade(size, 0.5 * footprint(p));
+  // Dots that cannot be resolved become the grey of their letters, those of their line.
+  const double blurred = resolved < 1 ? unresolved_ink(seed, line, p) : 0;
+  if (resolved == 0) return blurred;
+  const double sharp = filtered_cells(
       p.u / size, p.v / size, p.footprint_u / size, p.footprint_v / size,
       [seed](std::int32_t column, std::int32_t row) { return dot(seed, column, row); });
-  // Dots that cannot be resolved become the grey of their line, lines the grey of the page.
-  const double line_share =
-      kMeanLineInk * filtered_pulse(p.v / line, kLineShare, p.footprint_v / line);
-  return line_share + (share - line_share) * fade(size, 0.5 * footprint(p));
+  return blurred + (sharp - blurred) * resolved;
 }
 
 Color text(const Texture& texture, const SurfacePoint& p) {
