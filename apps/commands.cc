@@ -4,6 +4,9 @@
 
 namespace cvo_slam {
 
-void add_commands(CLI::App& app, Action& action) { add_synth_command(app, action); }
+void add_commands(CLI::App& app, Action& action) {
+  add_info_command(app, action);
+  add_synth_command(app, action);
+}
 
 }  // namespace cvo_slam

@@ -7,21 +7,15 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/core/brown_distortion.h"
 #include "cvo_slam/core/error.h"
 
 namespace cvo_slam {
 namespace {
 
-/// Brown's model on normalised coordinates: D. C. Brown, "Decentering distortion of lenses", 1966,
-/// with the coefficient order of OpenCV.
-Eigen::Vector2d distort(const std::array<double, 5>& coefficients, const Eigen::Vector2d& p) {
-  const auto& [k1, k2, p1, p2, k3] = coefficients;
-  const double x = p.x();
-  const double y = p.y();
-  const double r2 = x * x + y * y;
-  const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
-  return {x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
-          y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y};
+Eigen::Vector2d distort(const std::array<double, 5>& coefficients, Eigen::Vector2d p) {
+  apply_brown_distortion(coefficients, p.x(), p.y());
+  return p;
 }
 
 }  // namespace

@@ -3,11 +3,12 @@
 #include "cvo_slam/io/depth_registration.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include <Eigen/Core>
 #include <opencv2/core.hpp>
 
+#include "cvo_slam/core/brown_distortion.h"
 #include "cvo_slam/core/error.h"
 
 namespace cvo_slam {
@@ -16,6 +17,17 @@ namespace {
 /// Neighbouring footprints overlap by this factor: surfaces that turn away from the depth camera,
 /// and the rounding of stereo depth, tear them apart by a part of a pixel.
 constexpr double kFootprintOverlap = 1.3;
+
+/// Farther than all depths, for the z-buffer, and the largest depth that rounds to less.
+constexpr auto kNothing = std::numeric_limits<std::uint16_t>::max();
+constexpr float kFarthest = kNothing - 1;
+
+std::array<float, 5> to_float(const std::array<double, 5>& values) {
+  std::array<float, 5> result{};
+  std::transform(values.begin(), values.end(), result.begin(),
+                 [](double value) { return static_cast<float>(value); });
+  return result;
+}
 
 /// The largest (x/z)^2 + (y/z)^2 of the rays through the border of the image.
 double largest_radius2(const PinholeCamera& camera) {
@@ -52,36 +64,63 @@ DepthRegistration::DepthRegistration(const Camera& camera) : color_(camera.color
   const DepthCamera& depth = *camera.depth;
   width_ = depth.pinhole.width;
   height_ = depth.pinhole.height;
-  color_is_distorted_ = color_.has_distortion();
-  focal_ = Eigen::Vector2d(color_.fx, color_.fy).cast<float>();
-  center_ = Eigen::Vector2d(color_.cx, color_.cy).cast<float>();
+  const Eigen::Vector2f half = half_footprint(color_, depth);
+  half_u_ = half.x();
+  half_v_ = half.y();
   max_radius2_ = static_cast<float>(largest_radius2(color_));
-  half_size_ = half_footprint(color_, depth);
-  translation_ = (camera.depth_scale * depth.T_color_depth.translation()).cast<float>();
-  rays_.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  const Vector3 translation = camera.depth_scale * depth.T_color_depth.translation();
+  Eigen::Vector3f::Map(translation_.data()) = translation.cast<float>();
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u) {
       const Vector3 ray = depth.T_color_depth.rotation() * depth.pinhole.unproject({u, v});
-      rays_.emplace_back(ray.cast<float>());
+      ray_x_.push_back(static_cast<float>(ray.x()));
+      ray_y_.push_back(static_cast<float>(ray.y()));
+      ray_z_.push_back(static_cast<float>(ray.z()));
     }
   }
 }
 
-Eigen::Vector2f DepthRegistration::project(const Eigen::Vector3f& point) const {
-  if (color_is_distorted_) return color_.project(point.cast<double>()).cast<float>();
-  return {focal_.x() * point.x() / point.z() + center_.x(),
-          focal_.y() * point.y() / point.z() + center_.y()};
+void DepthRegistration::project_row(const std::uint16_t* depth, int v, ProjectedRow& row) const {
+  // Without branches on the pixels and on local copies, so that the compiler vectorises it.
+  const auto width = static_cast<std::size_t>(width_);
+  const std::size_t first = static_cast<std::size_t>(v) * width;
+  const float* ray_x = ray_x_.data() + first;
+  const float* ray_y = ray_y_.data() + first;
+  const float* ray_z = ray_z_.data() + first;
+  const auto [tx, ty, tz] = translation_;
+  const Eigen::Vector4f k =
+      Eigen::Vector4d(color_.fx, color_.fy, color_.cx, color_.cy).cast<float>();
+  const auto distortion = to_float(color_.distortion);
+  const bool is_distorted = color_.has_distortion();
+  for (std::size_t i = 0; i < width; ++i) {
+    const auto units = static_cast<float>(depth[i]);
+    const float z = units * ray_z[i] + tz;
+    const float inverse_z = 1 / z;
+    float x = (units * ray_x[i] + tx) * inverse_z;
+    float y = (units * ray_y[i] + ty) * inverse_z;
+    const bool visible = (units > 0) & (z >= 1) & (z < kFarthest) & (x * x + y * y <= max_radius2_);
+    if (is_distorted) apply_brown_distortion(distortion, x, y);
+    row.u[i] = k[0] * x + k[2];
+    row.v[i] = k[1] * y + k[3];
+    row.z[i] = visible ? z : 0;
+    row.scale[i] = units * inverse_z;
+  }
 }
 
-void DepthRegistration::splat(const Eigen::Vector2f& pixel, const Eigen::Vector2f& half_size,
-                              std::uint16_t depth, cv::Mat& image) {
-  const int u_begin = std::max(0, cvCeil(pixel.x() - half_size.x()));
-  const int u_end = std::min(image.cols - 1, cvFloor(pixel.x() + half_size.x()));
-  const int v_begin = std::max(0, cvCeil(pixel.y() - half_size.y()));
-  const int v_end = std::min(image.rows - 1, cvFloor(pixel.y() + half_size.y()));
-  for (int v = v_begin; v <= v_end; ++v) {
-    auto* row = image.ptr<std::uint16_t>(v);
-    for (int u = u_begin; u <= u_end; ++u) row[u] = std::min(row[u], depth);
+void DepthRegistration::splat_row(const ProjectedRow& row, cv::Mat& image) const {
+  for (std::size_t i = 0; i < row.z.size(); ++i) {
+    if (row.z[i] == 0) continue;
+    const float half_u = half_u_ * row.scale[i];
+    const float half_v = half_v_ * row.scale[i];
+    const auto depth = static_cast<std::uint16_t>(row.z[i] + 0.5F);
+    const int u_begin = std::max(0, cvCeil(row.u[i] - half_u));
+    const int u_end = std::min(image.cols - 1, cvFloor(row.u[i] + half_u));
+    const int v_begin = std::max(0, cvCeil(row.v[i] - half_v));
+    const int v_end = std::min(image.rows - 1, cvFloor(row.v[i] + half_v));
+    for (int v = v_begin; v <= v_end; ++v) {
+      auto* pixels = image.ptr<std::uint16_t>(v);
+      for (int u = u_begin; u <= u_end; ++u) pixels[u] = std::min(pixels[u], depth);
+    }
   }
 }
 
@@ -89,21 +128,11 @@ cv::Mat DepthRegistration::to_color(const cv::Mat& depth) const {
   if (depth.type() != CV_16UC1 || depth.cols != width_ || depth.rows != height_) {
     throw Error("depth registration: the image is not of the depth camera's size and 16 bits");
   }
-  constexpr auto kNothing = std::numeric_limits<std::uint16_t>::max();
   cv::Mat result(color_.height, color_.width, CV_16UC1, cv::Scalar(kNothing));
-  const Eigen::Vector3f* ray = rays_.data();
+  ProjectedRow row(static_cast<std::size_t>(width_));
   for (int v = 0; v < height_; ++v) {
-    const auto* row = depth.ptr<std::uint16_t>(v);
-    for (int u = 0; u < width_; ++u, ++ray) {
-      if (row[u] == 0) continue;
-      const auto units = static_cast<float>(row[u]);
-      const Eigen::Vector3f point = units * *ray + translation_;
-      const float z = point.z();
-      const bool visible =
-          z >= 1 && z < kNothing - 1 && point.head<2>().squaredNorm() <= max_radius2_ * z * z;
-      if (!visible) continue;
-      splat(project(point), half_size_ * (units / z), static_cast<std::uint16_t>(z + 0.5F), result);
-    }
+    project_row(depth.ptr<std::uint16_t>(v), v, row);
+    splat_row(row, result);
   }
   result.setTo(0, result == kNothing);
   return result;

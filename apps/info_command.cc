@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cvo_slam/apps/command.h"
+#include "cvo_slam/io/camera_file.h"
+#include "cvo_slam/io/dataset.h"
+
+namespace cvo_slam {
+namespace {
+
+struct InfoArguments {
+  std::string dataset;
+  std::string camera;
+  bool json = false;
+};
+
+/// What `info` says of a data set, apart from its images.
+struct DatasetInfo {
+  double duration = 0;         ///< of the first to the last frame [s]
+  double rate = 0;             ///< [Hz]
+  std::size_t referenced = 0;  ///< frames within the time the reference covers
+};
+
+DatasetInfo measure(const Dataset& data) {
+  DatasetInfo info;
+  const auto& reference = data.reference();
+  info.duration = seconds_between(data.stamp(0), data.stamp(data.size() - 1));
+  if (info.duration > 0) info.rate = static_cast<double>(data.size() - 1) / info.duration;
+  for (std::size_t i = 0; i < data.size() && !reference.empty(); ++i) {
+    const Timestamp stamp = data.stamp(i);
+    if (stamp >= reference.front().stamp && stamp <= reference.back().stamp) ++info.referenced;
+  }
+  return info;
+}
+
+nlohmann::json to_json(const PinholeCamera& camera) {
+  return {{"width", camera.width},
+          {"height", camera.height},
+          {"fx", camera.fx},
+          {"fy", camera.fy},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"distortion", camera.distortion}};
+}
+
+nlohmann::json to_json(const Camera& camera) {
+  nlohmann::json json = to_json(camera.color);
+  json["name"] = camera.name;
+  json["depth_scale"] = camera.depth_scale;
+  json["depth"] = camera.depth ? to_json(camera.depth->pinhole) : nlohmann::json();
+  return json;
+}
+
+void print_json(const Dataset& data) {
+  const DatasetInfo info = measure(data);
+  const nlohmann::json json = {
+      {"name", data.name()},
+      {"kind", data.kind()},
+      {"camera", to_json(data.camera())},
+      {"frames", data.size()},
+      {"duration_s", info.duration},
+      {"rate_hz", info.rate},
+      {"unpaired", {{"color", data.unpaired().color}, {"depth", data.unpaired().depth}}},
+      {"reference",
+       {{"poses", data.reference().size()},
+        {"path_m", path_length(data.reference())},
+        {"frames_covered", info.referenced}}},
+      {"notes", data.notes()}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+std::string describe(const PinholeCamera& camera) {
+  return fmt::format("{}x{}, fx {} fy {} cx {} cy {}{}", camera.width, camera.height, camera.fx,
+                     camera.fy, camera.cx, camera.cy,
+                     camera.has_distortion() ? ", with distortion" : "");
+}
+
+void print_camera(const Camera& camera) {
+  fmt::print("camera     {}: {}\n", camera.name, describe(camera.color));
+  fmt::print("depth      {} units a metre, ", camera.depth_scale);
+  if (camera.depth) {
+    fmt::print("registered to colour while reading: {}\n", describe(camera.depth->pinhole));
+  } else {
+    fmt::print("registered to colour in the files\n");
+  }
+}
+
+void print_text(const Dataset& data) {
+  const DatasetInfo info = measure(data);
+  fmt::print("name       {}\nkind       {}\n", data.name(), data.kind());
+  print_camera(data.camera());
+  fmt::print("frames     {} in {:.2f} s, {:.1f} Hz\n", data.size(), info.duration, info.rate);
+  fmt::print("unpaired   {} colour, {} depth images\n", data.unpaired().color,
+             data.unpaired().depth);
+  if (data.reference().empty()) {
+    fmt::print("reference  none\n");
+  } else {
+    fmt::print("reference  {} poses, {:.2f} m, covers {} of {} frames\n", data.reference().size(),
+               path_length(data.reference()), info.referenced, data.size());
+  }
+  for (const auto& note : data.notes()) fmt::print("note       {}\n", note);
+}
+
+int run_info(const InfoArguments& arguments) {
+  DatasetOptions options;
+  if (!arguments.camera.empty()) options.camera = find_camera(arguments.camera);
+  const auto data = open_dataset(arguments.dataset, options);
+  if (arguments.json) {
+    print_json(*data);
+  } else {
+    print_text(*data);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("info", "Says what a data set holds");
+  const auto arguments = std::make_shared<InfoArguments>();
+  command->add_option("dataset", arguments->dataset, "Folder of a sequence")->required();
+  command->add_option("--camera", arguments->camera, "Camera file, or name of a built-in camera");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->callback(
+      [&action, arguments] { action = [arguments] { return run_info(*arguments); }; });
+}
+
+}  // namespace cvo_slam

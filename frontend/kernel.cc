@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/frontend/kernel.h"
+
+#include <cmath>
+
+namespace cvo_slam {
+
+OptionSet describe(KernelOptions& o) {
+  return OptionSet()
+      .add("sigma", o.sigma, {1e-3, 1e3}, "",
+           "Amplitude of the position kernel. Only its ratio to the sparsification matters; the "
+           "paper's value.")
+      .add("sparsification", o.sparsification, {1e-9, 1e3}, "",
+           "Position kernel values below this count as zero. The paper's value: pairs up to 2.15 "
+           "length scales apart.")
+      .add("color_kernel", o.color_kernel,
+           {{"linear", ColorKernel::kLinear},
+            {"squared_exponential", ColorKernel::kSquaredExponential}},
+           "Inner product of colours: the paper's linear one, or a squared exponential of colour "
+           "and gradient, which tells points apart.")
+      .add("color_scale", o.color_scale, {1, 1e6}, "8-bit values",
+           "Length scale of the squared exponential on (blue, green, red).")
+      .add("gradient_scale", o.gradient_scale, {1, 1e6}, "8-bit values a pixel",
+           "Length scale of the squared exponential on the image gradient.");
+}
+
+double support_radius(const KernelOptions& options, double length_scale) {
+  const double ratio = options.sigma * options.sigma / options.sparsification;
+  return ratio > 1 ? length_scale * std::sqrt(2 * std::log(ratio)) : 0.0;
+}
+
+double label_product(const KernelOptions& options, const PointCloud& a, std::size_t i,
+                     const PointCloud& b, std::size_t j) {
+  constexpr std::size_t kColors = 3;
+  double product = 0;
+  double exponent = 0;
+  for (std::size_t k = 0; k < PointCloud::kFeatures; ++k) {
+    const double fa = a.features[k][i];
+    const double fb = b.features[k][j];
+    const double scale = k < kColors ? options.color_scale : options.gradient_scale;
+    exponent += (fa - fb) * (fa - fb) / (2 * scale * scale);
+    if (k < kColors) product += fa * fb;
+  }
+  constexpr double kLinearScale = 1e-5;  // the paper's remark: 1 / 10^5
+  return options.color_kernel == ColorKernel::kLinear ? kLinearScale * product
+                                                      : std::exp(-exponent);
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/core/timestamp.h"
+
+namespace cvo_slam {
+
+/// Predicts the next pose of the camera under constant velocity.
+class MotionModel {
+ public:
+  /// Forgets the velocity.
+  void stop() { velocity_.reset(); }
+  void update(const Timestamp& stamp, const SE3& T_world_camera);
+
+  [[nodiscard]] SE3 predict(const Timestamp& stamp) const;
+  [[nodiscard]] const SE3& last_pose() const { return T_world_camera_; }
+  [[nodiscard]] const Timestamp& last_stamp() const { return stamp_; }
+
+ private:
+  Timestamp stamp_;
+  SE3 T_world_camera_;
+  bool started_ = false;
+  std::optional<Vector6> velocity_;  // right tangent a second
+};
+
+}  // namespace cvo_slam

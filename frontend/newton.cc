@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <optional>
+
+#include <Eigen/Cholesky>
+
+#include "cvo_slam/frontend/newton_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+using AlignedMatrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// The ascent step A^-1 g; empty where A is not positive definite.
+std::optional<Vector6> solve(const Matrix6& A, const Vector6& g) {
+  const Eigen::LLT<AlignedMatrix6> llt{AlignedMatrix6(A)};
+  // Also with a finite Cholesky factor the matrix may be singular to rounding.
+  constexpr double kMinReciprocalCondition = 1e-12;
+  if (llt.info() != Eigen::Success || llt.rcond() < kMinReciprocalCondition) return std::nullopt;
+  const Vector6 step = llt.solve(g);
+  if (!step.allFinite()) return std::nullopt;
+  return step;
+}
+
+/// Shortens a step to what the kernel can see: a translation of ell and a rotation of ell / 2
+/// (which moves a point 2 m away by ell).
+Vector6 clamp(const Vector6& step, double ell) {
+  const double translation = step.head<3>().norm() / ell;
+  const double rotation = step.tail<3>().norm() / (0.5 * ell);
+  return step / std::max({1.0, translation, rotation});
+}
+
+class Search {
+ public:
+  Search(const Objective& objective, const PointCloud& moving, const RegistrationOptions& options,
+         const Executor& executor)
+      : objective_(objective), moving_(moving), options_(options), executor_(executor) {}
+
+  LevelResult run(const SE3& T_init, int max_iterations) {
+    LevelResult state{T_init, objective_.evaluate(moving_, T_init, executor_), 0, false};
+    while (state.iterations < max_iterations && state.value.matched > 0 && !state.converged) {
+      ++state.iterations;
+      const auto newton = solve(state.value.hessian, state.value.gradient);
+      if (newton && try_step(*newton, state)) continue;
+      const auto majorized = solve(state.value.majorizer, state.value.gradient);
+      // Where not even the majorised step climbs, rounding decides: this is the maximum.
+      if (!majorized || !try_step(*majorized, state)) state.converged = majorized.has_value();
+      if (!majorized) break;
+    }
+    return state;
+  }
+
+ private:
+  /// Takes the step where it raises the objective. One below the tolerance ends the search.
+  bool try_step(const Vector6& step, LevelResult& state) const {
+    const Vector6 clamped = clamp(step, objective_.length_scale());
+    if (clamped.head<3>().norm() < options_.tolerance_translation &&
+        clamped.tail<3>().norm() < options_.tolerance_rotation) {
+      state.converged = true;
+      return true;
+    }
+    const SE3 T = SE3::exp(clamped) * state.T_fixed_moving;
+    const ObjectiveValue value = objective_.evaluate(moving_, T, executor_);
+    if (value.value <= state.value.value) return false;
+    state.T_fixed_moving = T;
+    state.value = value;
+    return true;
+  }
+
+  const Objective& objective_;
+  const PointCloud& moving_;
+  const RegistrationOptions& options_;
+  const Executor& executor_;
+};
+
+}  // namespace
+
+LevelResult newton(const Objective& objective, const PointCloud& moving,
+                   const SE3& T_fixed_moving_init, int max_iterations,
+                   const RegistrationOptions& options, const Executor& executor) {
+  return Search(objective, moving, options, executor).run(T_fixed_moving_init, max_iterations);
+}
+
+}  // namespace cvo_slam

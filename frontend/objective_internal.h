@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cvo_slam/core/parallel.h"
+#include "cvo_slam/core/point_cloud.h"
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/frontend/kernel.h"
+#include "cvo_slam/frontend/neighbor_grid_internal.h"
+#include "cvo_slam/frontend/pair_sums_internal.h"
+
+namespace cvo_slam {
+
+/// The objective F(T) = sum_ij c_ij k(x_i, T z_j) of CVO and its derivatives with respect to a left
+/// perturbation (v, w) of T, q_j = T z_j, r = x_i - q_j, w_ij = c_ij k_ij, J = [I, -q^].
+struct ObjectiveValue {
+  /// sum c max(k - sparsification, 0): what the hard threshold leaves continuous, so that it can be
+  /// compared between poses; its derivatives are those of F inside the support.
+  double value = 0;
+  double inner_product = 0;  ///< F = sum w
+  Vector6 gradient = Vector6::Zero();
+  /// The negative Hessian: sum J^T (w / ell^2 I - w / ell^4 r r^T) J and the curvature of exp.
+  Matrix6 hessian = Matrix6::Zero();
+  /// The Hessian of the majorising least squares, sum w / ell^2 J^T J: always semi-definite.
+  Matrix6 majorizer = Matrix6::Zero();
+  std::size_t matched = 0;  ///< moving points with a fixed point inside the support
+};
+
+/// One fixed cloud at one length scale.
+class Objective {
+ public:
+  void build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale);
+
+  [[nodiscard]] double length_scale() const { return length_scale_; }
+  [[nodiscard]] const NeighborGrid& grid() const { return grid_; }
+  [[nodiscard]] ObjectiveValue evaluate(const PointCloud& moving, const SE3& T_fixed_moving,
+                                        const Executor& executor) const;
+  /// |f|^2 of a cloud with this kernel and length scale.
+  [[nodiscard]] double squared_norm(const PointCloud& cloud) const;
+
+ private:
+  KernelOptions kernel_;
+  double length_scale_ = 0;
+  NeighborGrid grid_;
+};
+
+}  // namespace cvo_slam

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/frontend/registration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cvo_slam/frontend/gradient_flow_internal.h"
+#include "cvo_slam/frontend/newton_internal.h"
+
+namespace cvo_slam {
+
+struct Registration::Impl {
+  RegistrationOptions options;
+  Executor executor;
+  std::vector<Objective> levels;
+  double fixed_squared_norm = 0;  // at the last level
+
+  [[nodiscard]] LevelResult run_level(std::size_t level, const PointCloud& moving,
+                                      const SE3& T_init) const {
+    const auto& limits = options.max_iterations;
+    const auto limit = static_cast<int>(limits[std::min(level, limits.size() - 1)]);
+    const auto solve = options.solver == Solver::kFlow ? gradient_flow : newton;
+    return solve(levels[level], moving, T_init, limit, options, executor);
+  }
+};
+
+namespace {
+
+RegistrationResult failed(const SE3& T, const std::string& reason) {
+  RegistrationResult result;
+  result.T_fixed_moving = T;
+  result.reason = reason;
+  return result;
+}
+
+/// The information of a right perturbation, T exp(xi), from a Hessian for a left one, exp(xi) T.
+Matrix6 right_information(const Matrix6& left, const SE3& T) {
+  const Matrix6 adjoint = T.adjoint();
+  return adjoint.transpose() * left * adjoint;
+}
+
+}  // namespace
+
+Registration::Registration(const RegistrationOptions& options, int threads)
+    : impl_(std::make_unique<Impl>(Impl{options, Executor(threads), {}, 0})) {
+  describe(impl_->options).check();
+}
+
+Registration::~Registration() = default;
+Registration::Registration(Registration&&) noexcept = default;
+Registration& Registration::operator=(Registration&&) noexcept = default;
+
+void Registration::set_fixed(const PointCloud& fixed) {
+  const auto& scales = impl_->options.length_scales;
+  impl_->levels.resize(scales.size());
+  for (std::size_t level = 0; level < scales.size(); ++level) {
+    impl_->levels[level].build(fixed, impl_->options.kernel, scales[level]);
+  }
+  impl_->fixed_squared_norm = impl_->levels.back().squared_norm(fixed);
+}
+
+RegistrationResult Registration::align(const PointCloud& moving,
+                                       const SE3& T_fixed_moving_init) const {
+  if (impl_->levels.empty() || impl_->levels.back().grid().size() == 0) {
+    return failed(T_fixed_moving_init, "the fixed cloud has no points");
+  }
+  if (moving.empty()) return failed(T_fixed_moving_init, "the moving cloud has no points");
+
+  LevelResult state{T_fixed_moving_init, {}, 0, false};
+  int iterations = 0;
+  for (std::size_t level = 0; level < impl_->levels.size(); ++level) {
+    state = impl_->run_level(level, moving, state.T_fixed_moving);
+    iterations += state.iterations;
+  }
+  if (state.value.matched == 0) return failed(T_fixed_moving_init, "the clouds do not overlap");
+
+  RegistrationResult result;
+  result.T_fixed_moving = state.T_fixed_moving.normalized();
+  result.status =
+      state.converged ? RegistrationStatus::kConverged : RegistrationStatus::kIterationLimit;
+  result.reason = state.converged ? "converged" : "iteration limit";
+  result.iterations = iterations;
+  result.objective = state.value.value;
+  result.overlap = static_cast<double>(state.value.matched) / static_cast<double>(moving.size());
+  const Objective& finest = impl_->levels.back();
+  result.cos_theta = state.value.inner_product /
+                     std::sqrt(impl_->fixed_squared_norm * finest.squared_norm(moving));
+  const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
+  result.information = right_information(state.value.hessian, result.T_fixed_moving) / mean_weight;
+  return result;
+}
+
+RegistrationResult align(const PointCloud& fixed, const PointCloud& moving,
+                         const SE3& T_fixed_moving_init, const RegistrationOptions& options) {
+  Registration registration(options);
+  registration.set_fixed(fixed);
+  return registration.align(moving, T_fixed_moving_init);
+}
+
+}  // namespace cvo_slam

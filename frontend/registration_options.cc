@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/frontend/registration.h"
+
+namespace cvo_slam {
+
+OptionSet describe(FlowOptions& o) {
+  return OptionSet()
+      .add("metric_a2", o.metric_a2, {1e-3, 1e6}, "",
+           "Weight a^2 of rotations in the metric. The paper's value.")
+      .add("metric_b2", o.metric_b2, {1e-3, 1e6}, "",
+           "Weight b^2 of translations in the metric. The paper's value.")
+      .add("max_step", o.max_step, {1e-6, 1e6}, "",
+           "Longest step in time of the flow without 1/ell^2. The authors' value.")
+      .add("fallback_step", o.fallback_step, {1e-6, 1e6}, "",
+           "Step where the expansion has no stationary point. The authors' value.")
+      .add("min_step", o.min_step, {0, 1}, "",
+           "Stops when the step's distance |log|_F on SE(3) is below this. The paper's value.")
+      .add(
+          "min_gradient", o.min_gradient, {0, 1e6}, "",
+          "Stops when both parts of the flow, without 1/ell^2, are below this. The paper's value.");
+}
+
+OptionSet describe(RegistrationOptions& o) {
+  return OptionSet()
+      .add("solver", o.solver, {{"flow", Solver::kFlow}, {"newton", Solver::kNewton}},
+           "newton finds the same maximum as the paper's flow in a fraction of the iterations.")
+      .add("kernel", describe(o.kernel))
+      .add("length_scales", o.length_scales, {1e-4, 10}, "m",
+           "Length scales of the position kernel, run one after the other for every pair.")
+      .add("max_iterations", o.max_iterations, {1, 10000}, "",
+           "Most iterations at each length scale; the last entry also holds for those after it.")
+      .add("tolerance_translation", o.tolerance_translation, {0, 1}, "m",
+           "newton: a step shorter than both tolerances ends a length scale.")
+      .add("tolerance_rotation", o.tolerance_rotation, {0, 1}, "rad",
+           "newton: a step shorter than both tolerances ends a length scale.")
+      .add("flow", describe(o.flow));
+}
+
+}  // namespace cvo_slam

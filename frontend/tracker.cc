@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/frontend/tracker.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/frontend/motion_model_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+/// Why a registration is not believed; empty where it is.
+std::string find_fault(const RegistrationResult& result, const LostOptions& limits) {
+  if (result.status == RegistrationStatus::kFailed) return result.reason;
+  if (result.overlap < limits.min_overlap) {
+    return fmt::format("overlap {:.2f} is below {:.2f}", result.overlap, limits.min_overlap);
+  }
+  if (result.cos_theta < limits.min_cos_theta) {
+    return fmt::format("cos_theta {:.2f} is below {:.2f}", result.cos_theta, limits.min_cos_theta);
+  }
+  return {};
+}
+
+/// Why the camera cannot have moved from `a` to `b` in `seconds`; empty where it can.
+std::string find_motion_fault(const SE3& a, const SE3& b, double seconds,
+                              const LostOptions& limits) {
+  const SE3 motion = a.inverse() * b;
+  const double speed = motion.translation().norm() / seconds;
+  const double angular_speed = motion.angle() / seconds;
+  if (speed > limits.max_speed) {
+    return fmt::format("speed {:.1f} m/s is above {:.1f}", speed, limits.max_speed);
+  }
+  if (angular_speed > limits.max_angular_speed) {
+    return fmt::format("angular speed {:.1f} rad/s is above {:.1f}", angular_speed,
+                       limits.max_angular_speed);
+  }
+  return {};
+}
+
+/// Why a tracked frame shall become a keyframe; empty where it need not.
+std::string keyframe_reason(const RegistrationResult& result, const KeyframeOptions& options) {
+  if (result.overlap < options.min_overlap) return "overlap";
+  if (result.T_fixed_moving.translation().norm() > options.max_translation) return "translation";
+  if (result.T_fixed_moving.angle() > options.max_rotation) return "rotation";
+  return {};
+}
+
+}  // namespace
+
+struct Tracker::Impl {
+  Impl(const Camera& camera_in, const TrackerOptions& options_in)
+      : camera(camera_in),
+        options(options_in),
+        registration(options_in.registration, options_in.threads) {
+    camera.check();
+    describe(options).check();
+  }
+
+  Camera camera;
+  TrackerOptions options;
+  Registration registration;  // against the current keyframe
+  MotionModel motion;
+  std::optional<RgbdFrame> keyframe;
+  SE3 T_world_keyframe;
+  RgbdFrame last_tracked;
+  std::optional<Timestamp> last_stamp;
+  int segment = 0;
+  int lost_in_a_row = 0;
+
+  void track(const RgbdFrame& frame, FrameRecord& record);
+  void start_segment(const RgbdFrame& frame, FrameRecord& record);
+  void set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera);
+  std::string register_frame(const PointCloud& cloud, FrameRecord& record);
+  std::string register_from(const PointCloud& cloud, const SE3& T_world_camera_init,
+                            FrameRecord& record) const;
+  void accept(const RgbdFrame& frame, FrameRecord& record);
+  void reject(const std::string& reason, FrameRecord& record);
+};
+
+void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera) {
+  keyframe = frame;
+  T_world_keyframe = T_world_camera;
+  registration.set_fixed(select_points(frame, camera, options.keyframe_points, options.selection));
+}
+
+/// Begins a segment at the last known pose, which is the origin at first.
+void Tracker::Impl::start_segment(const RgbdFrame& frame, FrameRecord& record) {
+  record.status = TrackingStatus::kTracked;
+  record.T_world_camera = motion.last_pose();
+  record.keyframe = frame.index;
+  record.keyframe_reason = "start of a segment";
+  record.registration.status = RegistrationStatus::kConverged;
+  record.registration.overlap = 1;
+  record.registration.cos_theta = 1;
+  set_keyframe(frame, record.T_world_camera);
+  motion.stop();
+  motion.update(frame.stamp, record.T_world_camera);
+  last_tracked = frame;
+}
+
+/// Registers against the keyframe from a start; returns what is wrong with the result, or nothing.
+std::string Tracker::Impl::register_from(const PointCloud& cloud, const SE3& T_world_camera_init,
+                                         FrameRecord& record) const {
+  record.keyframe = keyframe->index;
+  record.registration = registration.align(cloud, T_world_keyframe.inverse() * T_world_camera_init);
+  record.T_world_camera = T_world_keyframe * record.registration.T_fixed_moving;
+  const std::string fault = find_fault(record.registration, options.lost);
+  if (!fault.empty()) return fault;
+  return find_motion_fault(motion.last_pose(), record.T_world_camera,
+                           seconds_between(motion.last_stamp(), record.stamp), options.lost);
+}
+
+/// Registers from the predicted pose; where that fails from the last one, and where that fails too
+/// against the last tracked frame, the most similar view there is.
+std::string Tracker::Impl::register_frame(const PointCloud& cloud, FrameRecord& record) {
+  const SE3 predicted = options.prediction == Prediction::kConstantVelocity
+                            ? motion.predict(record.stamp)
+                            : motion.last_pose();
+  std::string fault = register_from(cloud, predicted, record);
+  if (!fault.empty() && options.prediction != Prediction::kIdentity) {
+    fault = register_from(cloud, motion.last_pose(), record);
+  }
+  if (!fault.empty() && keyframe->index != last_tracked.index) {
+    set_keyframe(last_tracked, motion.last_pose());
+    fault = register_from(cloud, motion.last_pose(), record);
+  }
+  return fault;
+}
+
+void Tracker::Impl::accept(const RgbdFrame& frame, FrameRecord& record) {
+  lost_in_a_row = 0;
+  record.status = TrackingStatus::kTracked;
+  motion.update(frame.stamp, record.T_world_camera);
+  last_tracked = frame;
+  record.keyframe_reason = options.reference == Reference::kPreviousFrame
+                               ? "previous frame"
+                               : keyframe_reason(record.registration, options.keyframe);
+  if (!record.keyframe_reason.empty()) set_keyframe(frame, record.T_world_camera);
+}
+
+void Tracker::Impl::reject(const std::string& reason, FrameRecord& record) {
+  ++lost_in_a_row;
+  motion.stop();
+  record.status = TrackingStatus::kLost;
+  record.reason = reason;
+}
+
+void Tracker::Impl::track(const RgbdFrame& frame, FrameRecord& record) {
+  const std::string problem = check_images(frame, camera);
+  if (!problem.empty()) return reject(problem, record);
+  if (last_stamp && frame.stamp <= *last_stamp) {
+    return reject(fmt::format("its stamp is not after the stamp {} of the frame before it",
+                              last_stamp->to_string()),
+                  record);
+  }
+  last_stamp = frame.stamp;
+  const PointCloud cloud = select_points(frame, camera, options.points, options.selection);
+  record.points = cloud.size();
+  if (cloud.size() < static_cast<std::size_t>(options.lost.min_points)) {
+    return reject(fmt::format("only {} points with gradient and depth", cloud.size()), record);
+  }
+  if (!keyframe) return start_segment(frame, record);
+
+  const std::string fault = register_frame(cloud, record);
+  if (fault.empty()) return accept(frame, record);
+  reject(fault, record);
+  if (lost_in_a_row >= options.lost.restart_after) {
+    lost_in_a_row = 0;
+    record.reason.clear();
+    record.segment = ++segment;
+    start_segment(frame, record);
+  }
+}
+
+Tracker::Tracker(const Camera& camera, const TrackerOptions& options)
+    : impl_(std::make_unique<Impl>(camera, options)) {}
+
+Tracker::~Tracker() = default;
+Tracker::Tracker(Tracker&&) noexcept = default;
+Tracker& Tracker::operator=(Tracker&&) noexcept = default;
+
+FrameRecord Tracker::track(const RgbdFrame& frame) {
+  FrameRecord record;
+  record.index = frame.index;
+  record.stamp = frame.stamp;
+  record.segment = impl_->segment;
+  impl_->track(frame, record);
+  return record;
+}
+
+Trajectory to_trajectory(const std::vector<FrameRecord>& records) {
+  std::map<int, std::size_t> frames_of_segment;
+  for (const auto& record : records) {
+    if (record.status == TrackingStatus::kTracked) ++frames_of_segment[record.segment];
+  }
+  const auto main =
+      std::max_element(frames_of_segment.begin(), frames_of_segment.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+
+  Trajectory trajectory;
+  for (const auto& record : records) {
+    if (record.status == TrackingStatus::kLost) {
+      trajectory.lost.push_back({record.stamp, record.reason});
+    } else if (record.segment == main->first) {
+      trajectory.poses.push_back({record.stamp, record.T_world_camera});
+    } else {
+      trajectory.lost.push_back(
+          {record.stamp, fmt::format("segment {} is not connected to the trajectory's segment {}",
+                                     record.segment, main->first)});
+    }
+  }
+  return trajectory;
+}
+
+}  // namespace cvo_slam

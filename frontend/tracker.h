@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/core/trajectory.h"
+#include "cvo_slam/frontend/registration.h"
+#include "cvo_slam/frontend/tracker_options.h"
+
+namespace cvo_slam {
+
+enum class TrackingStatus {
+  kTracked,
+  kLost,  ///< no pose; FrameRecord::reason says why
+};
+
+/// What the tracker has to say of one frame.
+struct FrameRecord {
+  std::size_t index = 0;  ///< RgbdFrame::index
+  Timestamp stamp;
+  TrackingStatus status = TrackingStatus::kLost;
+  std::string reason;  ///< why it is lost; empty where it is tracked
+  SE3 T_world_camera;  ///< valid where tracked
+  /// Segments are not connected to each other: a new one starts where tracking resumes after too
+  /// long a loss.
+  int segment = 0;
+  std::size_t keyframe = 0;         ///< index of the frame it was registered against
+  std::string keyframe_reason;      ///< why it became a keyframe itself; empty where it did not
+  std::size_t points = 0;           ///< points selected
+  RegistrationResult registration;  ///< against the keyframe; T_fixed_moving = T_keyframe_camera
+};
+
+/// Tracks the pose of an RGB-D camera, frame by frame, against keyframes.
+class Tracker {
+ public:
+  /// Throws OptionError where the camera or an option is impossible.
+  explicit Tracker(const Camera& camera, const TrackerOptions& options = {});
+  ~Tracker();
+  Tracker(Tracker&&) noexcept;
+  Tracker& operator=(Tracker&&) noexcept;
+
+  /// Tracks the next frame. Never throws on a bad image: the answer is kLost with a reason.
+  /// The first tracked camera is the origin of the world.
+  FrameRecord track(const RgbdFrame& frame);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The camera's path from the tracker's answers: the frames of the segment with most of them; all
+/// others are lost.
+[[nodiscard]] Trajectory to_trajectory(const std::vector<FrameRecord>& records);
+
+}  // namespace cvo_slam

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/frontend/tracker_options.h"
+
+namespace cvo_slam {
+
+OptionSet describe(KeyframeOptions& o) {
+  return OptionSet()
+      .add("min_overlap", o.min_overlap, {0, 1}, "",
+           "A frame that overlaps the keyframe less becomes the next keyframe.")
+      .add("max_translation", o.max_translation, {0, 100}, "m",
+           "So does one further away than this.")
+      .add("max_rotation", o.max_rotation, {0, 4}, "rad", "So does one rotated by more than this.");
+}
+
+OptionSet describe(LostOptions& o) {
+  return OptionSet()
+      .add("min_points", o.min_points, {10, 1000000}, "",
+           "With fewer points in a frame six degrees of freedom are not held reliably.")
+      .add("min_overlap", o.min_overlap, {0, 1}, "",
+           "A registration with less overlap is not believed.")
+      .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",
+           "A registration with a smaller normalised inner product is not believed.")
+      .add("max_speed", o.max_speed, {0, 1000}, "m/s",
+           "No hand moves a camera faster: such a step is a wrong registration.")
+      .add("max_angular_speed", o.max_angular_speed, {0, 1000}, "rad/s",
+           "No hand turns a camera faster.")
+      .add("restart_after", o.restart_after, {1, 1000000}, "frames",
+           "After so many lost frames in a row a new segment of the trajectory is started.");
+}
+
+OptionSet describe(TrackerOptions& o) {
+  return OptionSet()
+      .add("reference", o.reference,
+           {{"keyframe", Reference::kKeyframe}, {"previous_frame", Reference::kPreviousFrame}},
+           "What a frame is registered against. A keyframe does not add up the errors of the "
+           "frames between.")
+      .add("prediction", o.prediction,
+           {{"constant_velocity", Prediction::kConstantVelocity},
+            {"identity", Prediction::kIdentity}},
+           "Where a registration starts.")
+      .add("points", o.points, {50, 100000}, "", "Points of a frame.")
+      .add("keyframe_points", o.keyframe_points, {50, 100000}, "",
+           "Points of a keyframe. More than of a frame, so that most points of a frame find the "
+           "very same place.")
+      .add("threads", o.threads, {1, 1024}, "",
+           "Threads of one registration. Results do not depend on it.")
+      .add("selection", describe(o.selection))
+      .add("registration", describe(o.registration))
+      .add("keyframe", describe(o.keyframe))
+      .add("lost", describe(o.lost));
+}
+
+TrackerOptions paper_options() {
+  TrackerOptions o;
+  o.reference = Reference::kPreviousFrame;
+  o.prediction = Prediction::kIdentity;
+  o.points = o.keyframe_points = 3000;
+  o.selection.method = SelectionMethod::kEdges;
+  o.registration.solver = Solver::kFlow;
+  o.registration.kernel.color_kernel = ColorKernel::kLinear;
+  o.registration.length_scales = {0.15, 0.10, 0.06, 0.03};
+  o.registration.max_iterations = {3, 7, 10, 1000};
+  return o;
+}
+
+}  // namespace cvo_slam

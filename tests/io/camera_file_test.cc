@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/io/camera_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/tests/io/tiny_sequence.h"
+
+namespace cvo_slam {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The keys that every camera needs, in seven lines.
+constexpr const char* kGood =
+    "width: 640\nheight: 480\nfx: 500\nfy: 501\ncx: 320\ncy: 240\ndepth_scale: 1000\n";
+
+Camera read_text(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_camera(folder.write("test.yaml", text));
+}
+
+std::string read_error(const std::string& text) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("c.yaml", text);
+  return input_error(folder.path(), [&] { return read_camera(file); });
+}
+
+void expect_equal(const PinholeCamera& a, const PinholeCamera& b) {
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.height, b.height);
+  EXPECT_EQ(a.fx, b.fx);
+  EXPECT_EQ(a.fy, b.fy);
+  EXPECT_EQ(a.cx, b.cx);
+  EXPECT_EQ(a.cy, b.cy);
+  EXPECT_EQ(a.distortion, b.distortion);
+}
+
+TEST(ReadCamera, NamesACameraByItsFile) {
+  const Camera camera = read_text(kGood);
+  EXPECT_EQ(camera.name, "test");
+  EXPECT_EQ(camera.color.fy, 501);
+  EXPECT_EQ(camera.depth_scale, 1000);
+  EXPECT_FALSE(camera.color.has_distortion());
+  EXPECT_FALSE(camera.depth);
+}
+
+TEST(ReadCamera, ReadsWhatWriteCameraWrote) {
+  Camera camera = builtin_camera("tum_fr1");
+  camera.name = "odd: name # 1";
+  camera.depth_scale = 1 / 0.3;  // needs all its digits
+  camera.depth = DepthCamera{builtin_camera("icl_nuim").color,
+                             SE3::exp((Vector6() << 0.01, -0.02, 0.03, 0.1, 0.2, 0.3).finished())};
+  const TemporaryFolder folder;
+  write_camera(folder.path() / "c.yaml", camera);
+  const Camera again = read_camera(folder.path() / "c.yaml");
+  EXPECT_EQ(again.name, camera.name);
+  EXPECT_EQ(again.depth_scale, camera.depth_scale);
+  expect_equal(again.color, camera.color);
+  ASSERT_TRUE(again.depth);
+  expect_equal(again.depth->pinhole, camera.depth->pinhole);
+  const SE3 difference = again.depth->T_color_depth.inverse() * camera.depth->T_color_depth;
+  // Rounding the rotation to the nearest proper one moves it by a few units in the last place.
+  EXPECT_LT(difference.log().norm(), 1e-14);
+}
+
+TEST(ReadCamera, NamesTheLineOfAMistake) {
+  const std::string good = kGood;
+  EXPECT_EQ(read_error(good + "focal: 3\n"), "c.yaml:8: unknown key 'focal'; did you mean 'fx'?");
+  EXPECT_EQ(read_error(good + "hight: 3\n"),
+            "c.yaml:8: unknown key 'hight'; did you mean 'height'?");
+  EXPECT_EQ(read_error(good + "fx: 3\n"), "c.yaml:8: key 'fx' is given twice; remove one");
+  EXPECT_EQ(read_error(good + "distortion: [1, 2]\n"), "c.yaml:8: distortion: expected 5 numbers");
+  EXPECT_EQ(read_error("width: 640\nheight: 480.5\n"),
+            "c.yaml:2: height: expected a number of pixels");
+  EXPECT_EQ(read_error("width: 64\nheight: 48\nfx: wide\n"), "c.yaml:3: fx: expected a number");
+  EXPECT_EQ(read_error("width: 64\nheight: 48\nfx: .nan\n"), "c.yaml:3: fx: expected a number");
+  EXPECT_THAT(read_error("width: 64\nheight: 48\n"), HasSubstr("the key 'fx' is missing"));
+  EXPECT_THAT(read_error("width: [1\n"), HasSubstr("c.yaml:2: not valid YAML"));
+  EXPECT_THAT(read_error("- 1\n- 2\n"), HasSubstr("c.yaml:1: expected 'key: value' lines"));
+  EXPECT_THAT(read_error(""), HasSubstr("is empty"));
+  EXPECT_THAT(read_error(good + "depth: 5\n"), HasSubstr("c.yaml:8: depth: expected a map"));
+  EXPECT_THROW(static_cast<void>(read_camera("/nowhere/c.yaml")), InputError);
+}
+
+TEST(ReadCamera, RefusesImpossibleValues) {
+  std::string text = kGood;
+  text.replace(text.find("fx: 500"), 7, "fx: 0");
+  EXPECT_THAT(read_error(text), HasSubstr("fx > 0"));
+}
+
+TEST(ReadCamera, RefusesAPoseThatIsNotRigid) {
+  const std::string depth =
+      std::string(kGood) +
+      "depth:\n  width: 64\n  height: 48\n  fx: 5\n  fy: 5\n  cx: 3\n  cy: 2\n";
+  const std::string rows = "    - [0, 1, 0, 0]\n    - [0, 0, 1, 0]\n    - [0, 0, 0, 1]\n";
+  const std::string key = "  T_color_depth:\n";
+  EXPECT_EQ(read_error(depth + key + "    - [1, 0, 0, 0.1]\n" + rows), "no error");
+  EXPECT_THAT(read_error(depth + key + "    - [2, 0, 0, 0.1]\n" + rows), HasSubstr("rigid 4x4"));
+  EXPECT_THAT(read_error(depth + key + "    - [-1, 0, 0, 0.1]\n" + rows), HasSubstr("rigid 4x4"));
+  EXPECT_THAT(read_error(depth + key + rows), HasSubstr("rigid 4x4"));
+  EXPECT_THAT(read_error(depth), HasSubstr("'T_color_depth' is missing"));
+}
+
+TEST(ReadCamera, ReadsTheKeysOfOrbSlam2) {
+  const Camera camera = read_text(
+      "%YAML:1.0\n\n# Camera Parameters\nCamera.fx: 517.3\nCamera.fy: 516.5\nCamera.cx: 318.6\n"
+      "Camera.cy: 255.3\nCamera.k1: 0.26\nCamera.k2: -0.95\nCamera.p1: -0.005\nCamera.p2: 0.002\n"
+      "Camera.k3: 1.16\nCamera.width: 640\nCamera.height: 480\nCamera.bf: 40.0\n"
+      "DepthMapFactor: 5000.0\nORBextractor.nFeatures: 1000\n");
+  EXPECT_EQ(camera.color.fx, 517.3);
+  EXPECT_EQ(camera.color.cy, 255.3);
+  EXPECT_THAT(camera.color.distortion, ElementsAre(0.26, -0.95, -0.005, 0.002, 1.16));
+  EXPECT_EQ(camera.depth_scale, 5000);
+}
+
+TEST(ReadCamera, ReadsTheKeysOfOrbSlam3) {
+  const Camera camera = read_text(
+      "%YAML:1.0\n---\nFile.version: \"1.0\"\nCamera.type: \"PinHole\"\nCamera1.fx: 535.4\n"
+      "Camera1.fy: 539.2\nCamera1.cx: 320.1\nCamera1.cy: 247.6\nCamera.width: 640\n"
+      "Camera.height: 480\nRGBD.DepthMapFactor: 5208.0\n");
+  EXPECT_EQ(camera.color.fy, 539.2);
+  EXPECT_FALSE(camera.color.has_distortion());
+  EXPECT_EQ(camera.depth_scale, 5208);
+}
+
+TEST(ReadCamera, RefusesOrbSlamFilesThatItCannotFollow) {
+  EXPECT_THAT(read_error("%YAML:1.0\nCamera.type: KannalaBrandt8\nCamera.fx: 5\n"),
+              HasSubstr("c.yaml:2: Camera.type: only PinHole"));
+  EXPECT_THAT(read_error("Camera.fx: 5\nCamera.height: 3\n"),
+              HasSubstr("'Camera.width' is missing"));
+}
+
+TEST(BuiltinCamera, AreTheFilesOfTheConfigFolder) {
+  const auto folder = std::filesystem::path(CVO_SLAM_SOURCE_DIR) / "config/cameras";
+  EXPECT_THAT(builtin_camera_names(),
+              ElementsAre("7scenes", "icl_nuim", "tum_fr1", "tum_fr2", "tum_fr3"));
+  for (const auto& name : builtin_camera_names()) {
+    const Camera builtin = builtin_camera(name);
+    const Camera file = read_camera(folder / (name + ".yaml"));
+    EXPECT_EQ(builtin.name, name);
+    EXPECT_EQ(file.name, name);
+    expect_equal(builtin.color, file.color);
+    EXPECT_EQ(builtin.depth.has_value(), name == "7scenes");
+  }
+  EXPECT_THROW(static_cast<void>(builtin_camera("tum_fr4")), OptionError);
+}
+
+TEST(FindCamera, TakesANameOrAFile) {
+  EXPECT_EQ(find_camera("icl_nuim").color.fy, -480);
+  const TemporaryFolder folder;
+  EXPECT_EQ(find_camera(folder.write("c.yaml", kGood).string()).color.fx, 500);
+  EXPECT_THAT(input_error("", [] { return find_camera("tum_fr9"); }),
+              HasSubstr("the built-in cameras are 7scenes, icl_nuim"));
+}
+
+TEST(WriteCamera, SaysWhereItCannotWrite) {
+  EXPECT_THROW(write_camera("/nowhere/c.yaml", Camera()), OutputError);
+}
+
+TEST(WriteCamera, NoticesAFullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  EXPECT_THROW(write_camera("/dev/full", Camera()), OutputError);
+}
+
+}  // namespace
+}  // namespace cvo_slam

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/tests/io/tiny_sequence.h"
+
+namespace cvo_slam {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string open_error(const TinySequence& sequence) {
+  return input_error(sequence.path(), [&] { return sequence.open(); });
+}
+
+TEST(OpenDataset, NamesAMissingFolder) {
+  EXPECT_THROW(static_cast<void>(open_dataset("/nowhere")), InputError);
+  EXPECT_EQ(input_error("/elsewhere", [] { return open_dataset("/nowhere"); }),
+            "/nowhere: no such folder; check the path");
+}
+
+TEST(OpenDataset, RefusesAFileAndAnUnknownFolder) {
+  const TinySequence sequence;
+  const auto file = sequence.write("file.txt", "");
+  EXPECT_THAT(input_error(sequence.path(), [&] { return open_dataset(file); }),
+              HasSubstr("not a folder"));
+  EXPECT_THAT(open_error(sequence), HasSubstr("is no known data set: expected rgb.txt"));
+}
+
+TEST(OpenDataset, RefusesAnEmptyList) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  sequence.write("depth.txt", "# depth maps\n");
+  EXPECT_EQ(open_error(sequence), "depth.txt: lists no image");
+  sequence.write("associations.txt", "\n");
+  EXPECT_EQ(open_error(sequence), "associations.txt: lists no image");
+}
+
+TEST(OpenDataset, RefusesListsThatNowherePair) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  sequence.write("depth.txt", "7.00 depth/0.png\n");
+  EXPECT_THAT(open_error(sequence), HasSubstr("no image of rgb.txt has one in depth.txt within"));
+}
+
+TEST(OpenDataset, NamesTheMalformedLine) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  sequence.write("rgb.txt", "# color\n0.00 rgb/0.png\n0.10\n");
+  EXPECT_EQ(open_error(sequence), "rgb.txt:3: expected 'stamp file', found 1 words");
+  sequence.write("rgb.txt", "0.00 rgb/0.png\nnan rgb/1.png\n");
+  EXPECT_EQ(open_error(sequence), "rgb.txt:2: 'nan' is not a time stamp in seconds");
+  sequence.write("associations.txt", "0 rgb/0.png 0 depth/0.png\n1 rgb/1.png depth/1.png\n");
+  EXPECT_EQ(open_error(sequence),
+            "associations.txt:2: expected 'stamp file stamp file', found 3 words");
+}
+
+TEST(OpenDataset, NamesTheLineOfABadPose) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  sequence.write("groundtruth.txt", "0 0 0 0 0 0 0 1\n1 nan 0 0 0 0 0 1\n");
+  EXPECT_THAT(open_error(sequence), StartsWith("groundtruth.txt:2: 'nan' is not a finite number"));
+}
+
+TEST(OpenDataset, ReadsListsWithCarriageReturns) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  sequence.write("rgb.txt", "# color\r\n0.00 rgb/0.png\r\n");
+  EXPECT_EQ(sequence.open()->read(0).problem, "");
+}
+
+/// One image of a good sequence is spoiled by a test; what read() says of each frame.
+class BadImage : public testing::Test {
+ protected:
+  void SetUp() override { sequence_.write_tum(); }
+
+  [[nodiscard]] std::string problem(std::size_t index = 0) const {
+    const RgbdFrame frame = sequence_.open()->read(index);
+    EXPECT_EQ(frame.problem.empty(), !frame.color.empty());
+    EXPECT_EQ(frame.problem.empty(), !frame.depth.empty());
+    return input_error(sequence_.path(), [&] { throw Error(frame.problem); });
+  }
+  /// Keeps the first `bytes` of a file.
+  void cut(const std::string& relative, std::size_t bytes) const {
+    std::ifstream stream(sequence_.path() / relative, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    ASSERT_GT(text.size(), bytes);
+    sequence_.write(relative, text.substr(0, bytes));
+  }
+
+  TinySequence sequence_;
+};
+
+TEST_F(BadImage, IsMissing) {
+  std::filesystem::remove(sequence_.path() / "rgb/0.png");
+  EXPECT_EQ(problem(), "rgb/0.png: cannot be opened; check the path and its permissions");
+  EXPECT_EQ(problem(1), "") << "one bad frame must not spoil the next";
+}
+
+TEST_F(BadImage, IsAFolder) {
+  std::filesystem::remove(sequence_.path() / "depth/0.png");
+  std::filesystem::create_directory(sequence_.path() / "depth/0.png");
+  EXPECT_THAT(problem(), StartsWith("depth/0.png: cannot be opened"));
+}
+
+TEST_F(BadImage, IsEmptyOrCutOff) {
+  cut("rgb/0.png", 40);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(problem(), "rgb/0.png: the image file is empty or cut off");
+  sequence_.write("rgb/0.png", "");
+  EXPECT_EQ(problem(), "rgb/0.png: the image file is empty or cut off");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "a decoder wrote past the program";
+}
+
+TEST_F(BadImage, IsACutJpegWhoseRestTheDecoderWouldPaintGrey) {
+  sequence_.write("rgb.txt", "0.00 rgb/0.jpg\n");
+  sequence_.write_color("rgb/0.jpg");
+  cut("rgb/0.jpg", std::filesystem::file_size(sequence_.path() / "rgb/0.jpg") - 3);
+  EXPECT_EQ(problem(), "rgb/0.jpg: the image file is empty or cut off");
+}
+
+TEST_F(BadImage, IsNoImage) {
+  sequence_.write("depth/0.png", "this is not a picture");
+  EXPECT_EQ(problem(), "depth/0.png: the image cannot be decoded; the file is broken");
+}
+
+TEST_F(BadImage, HasAnotherSizeThanItsPartner) {
+  sequence_.write_image("depth/0.png", cv::Mat(3, 4, CV_16UC1, cv::Scalar(5000)));
+  EXPECT_EQ(problem(), "depth/0.png: the image has 4x3 pixels, its camera 8x6");
+}
+
+TEST_F(BadImage, HasAnotherSizeThanTheCamera) {
+  sequence_.write_image("rgb/0.png", cv::Mat(12, 16, CV_8UC3, cv::Scalar(0)));
+  EXPECT_EQ(problem(), "rgb/0.png: the image has 16x12 pixels, its camera 8x6");
+}
+
+TEST_F(BadImage, HasTheWrongBitDepth) {
+  sequence_.write_image("depth/0.png", cv::Mat(6, 8, CV_8UC1, cv::Scalar(50)));
+  EXPECT_THAT(problem(), EndsWith("must have 16 bits and 1 channel, this one has 8 and 1"));
+  sequence_.write_image("rgb/1.png", cv::Mat(6, 8, CV_16UC3, cv::Scalar(50)));
+  EXPECT_THAT(problem(1), EndsWith("8 bits and 1, 3 or 4 channels, this one has 16 and 3"));
+}
+
+TEST_F(BadImage, HasNoValidDepth) {
+  sequence_.write_depth("depth/0.png", 0);
+  EXPECT_EQ(problem(), "depth/0.png: the depth image has no valid pixel");
+}
+
+}  // namespace
+}  // namespace cvo_slam
