@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 #include <thread>
@@ -23,6 +22,7 @@ struct SynthArguments {
   std::string folder;
   std::string size = "640x480";
   std::string noise = "none";
+  std::string image = "png";
   long frames = 0;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   synthetic::SequenceOptions sequence;
@@ -47,6 +47,7 @@ void print_progress(std::size_t done, std::size_t total) {
 
 int synth(SynthArguments arguments, bool frames_given) {
   parse_size(arguments.size, arguments.sequence);
+  if (arguments.image == "jpeg") arguments.sequence.image = synthetic::ImageFormat::kJpeg;
   if (frames_given) {
     if (arguments.frames < 1) {
       throw OptionError(fmt::format("--frames {} must be at least 1", arguments.frames));
@@ -84,12 +85,9 @@ void add_synth_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Image size, <width>x<height> [px]")
       ->capture_default_str();
-  const std::map<std::string, synthetic::ImageFormat> formats = {
-      {"png", synthetic::ImageFormat::kPng}, {"jpeg", synthetic::ImageFormat::kJpeg}};
-  command
-      ->add_option("--image", arguments->sequence.image,
-                   "Colour images: png (exact; default) or jpeg (smaller)")
-      ->transform(CLI::CheckedTransformer(formats));
+  command->add_option("--image", arguments->image, "Colour images: png (exact) or jpeg (smaller)")
+      ->check(CLI::IsMember({"png", "jpeg"}))
+      ->capture_default_str();
   command->add_option("--threads", arguments->threads, "Does not change the result")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
