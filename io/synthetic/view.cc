@@ -9,7 +9,7 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-constexpr int kTile = 16;  // [px]; small enough that most tiles hold a handful of primitives
+constexpr int kTile = 8;  // [px]; small enough that most tiles hold a handful of primitives
 
 int tiles_along(int pixels) { return (pixels + kTile - 1) / kTile; }
 
@@ -55,26 +55,32 @@ View::Bounds View::image_bounds(std::size_t index) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Vector3 half = half_extent_of(scene_.primitives[index]);
   const Placed& placed = placed_[index];
-  Eigen::Array2d low = Eigen::Array2d::Constant(kInfinity);
-  Eigen::Array2d high = -low;
-  double nearest = kInfinity;
-  double farthest = 0;
-  for (int corner = 0; corner < 8; ++corner) {
+  const auto corner_at = [&](int corner) -> Vector3 {
     const Vector3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
                        (corner & 4) != 0 ? 1 : -1);
-    const Vector3 point =
-        placed.R_shape_camera.transpose() * (half.cwiseProduct(sign) - placed.camera_in_shape);
-    nearest = std::min(nearest, point.z());
-    farthest = std::max(farthest, point.z());
-    if (point.z() < kNear) continue;
+    return placed.R_shape_camera.transpose() * (half.cwiseProduct(sign) - placed.camera_in_shape);
+  };
+  Eigen::Array2d low = Eigen::Array2d::Constant(kInfinity);
+  Eigen::Array2d high = -low;
+  const auto include = [&](const Vector3& point) {
     const Eigen::Array2d pixel = camera_.project(point).array();
     low = low.min(pixel);
     high = high.max(pixel);
+  };
+  double nearest = kInfinity;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3 point = corner_at(corner);
+    nearest = std::min(nearest, point.z());
+    if (point.z() < kNear) continue;
+    include(point);
+    // Edges that reach behind the camera are cut off where they pass the near plane.
+    for (const int direction : {1, 2, 4}) {
+      const Vector3 other = corner_at(corner ^ direction);
+      if (other.z() >= kNear) continue;
+      include(point + (other - point) * ((point.z() - kNear) / (point.z() - other.z())));
+    }
   }
-  if (farthest <= 0) return {};
   const Eigen::Array2d last(camera_.width - 1, camera_.height - 1);
-  // A primitive that reaches behind the camera has no bounded projection.
-  if (nearest < kNear) return {0, 0, camera_.width - 1, camera_.height - 1, 0};
   // Positions on the image reach half a pixel beyond a pixel's centre.
   if ((high < -0.5).any() || (low > last + 0.5).any()) return {};
   low = (low - 1).floor().max(0.0).min(last);
@@ -85,8 +91,8 @@ View::Bounds View::image_bounds(std::size_t index) const {
 }
 
 std::size_t View::tile_of(double x, double y) const {
-  const int column = std::clamp(static_cast<int>(std::lround(x)), 0, camera_.width - 1) / kTile;
-  const int row = std::clamp(static_cast<int>(std::lround(y)), 0, camera_.height - 1) / kTile;
+  const int column = std::clamp(static_cast<int>(x + 0.5), 0, camera_.width - 1) / kTile;
+  const int row = std::clamp(static_cast<int>(y + 0.5), 0, camera_.height - 1) / kTile;
   return static_cast<std::size_t>(row * tile_columns_ + column);
 }
 
