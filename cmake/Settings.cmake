@@ -13,6 +13,8 @@ target_compile_features(cvo_slam_settings INTERFACE cxx_std_20)
 # No -march, no -ffast-math: the same bytes on every machine, and Eigen's alignment stays the
 # embedder's. Contraction is off so that a compiler with FMA does not round differently.
 target_compile_options(cvo_slam_settings INTERFACE -ffp-contract=off)
+# Position-independent code may otherwise not inline a library's own functions (GCC's default).
+target_compile_options(cvo_slam_settings INTERFACE -fno-semantic-interposition)
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(cvo_slam_settings INTERFACE -Wall -Wextra -Wconversion -Wshadow)
 endif()

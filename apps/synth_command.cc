@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "cvo_slam/apps/command.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/io/synthetic/world.h"
+
+namespace cvo_slam {
+namespace {
+
+struct SynthArguments {
+  std::string folder;
+  std::string size = "640x480";
+  std::string noise = "none";
+  std::string image = "png";
+  long frames = 0;
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  synthetic::SequenceOptions sequence;
+};
+
+/// Throws OptionError where the text is not "<width>x<height>".
+void parse_size(const std::string& text, synthetic::SequenceOptions& options) {
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &options.width, &options.height, &rest) != 2) {
+    throw OptionError(fmt::format("--size {} must be <width>x<height>, e.g. 640x480", text));
+  }
+}
+
+void print_progress(std::size_t done, std::size_t total) {
+  const bool last = done == total;
+  if (isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\rframe {} / {}{}", done, total, last ? "\n" : "");
+  } else if (last) {
+    fmt::print(stderr, "frame {} / {}\n", done, total);
+  }
+}
+
+int synth(SynthArguments arguments, bool frames_given) {
+  parse_size(arguments.size, arguments.sequence);
+  if (arguments.image == "jpeg") arguments.sequence.image = synthetic::ImageFormat::kJpeg;
+  if (frames_given) {
+    if (arguments.frames < 1) {
+      throw OptionError(fmt::format("--frames {} must be at least 1", arguments.frames));
+    }
+    arguments.sequence.frames = static_cast<std::size_t>(arguments.frames);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto summary = synthetic::write_sequence(arguments.folder, arguments.sequence,
+                                                 arguments.threads, print_progress);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  fmt::print("{}: {} frames, {:.1f} s, path {:.2f} m, made in {:.1f} s ({:.1f} fps)\n",
+             arguments.folder, summary.frames, summary.seconds, summary.path_length,
+             elapsed.count(), static_cast<double>(summary.frames) / elapsed.count());
+  return kDone;
+}
+
+}  // namespace
+
+void add_synth_command(CLI::App& app, Action& action) {
+  const auto arguments = std::make_shared<SynthArguments>();
+  auto* command =
+      app.add_subcommand("synth", "Make a synthetic sequence (TUM layout) with exact ground truth");
+  const std::string scenes = fmt::format("{}", fmt::join(synthetic::world_names(), ", "));
+  command->add_option("scene", arguments->sequence.scene, "The world to record: " + scenes)
+      ->required();
+  command->add_option("folder", arguments->folder, "Where to write the sequence")->required();
+  const auto* frames = command->add_option(
+      "--frames", arguments->frames,
+      "Only the first n frames at the same speed (default: one closed round, 301 frames)");
+  command
+      ->add_option("--seed", arguments->sequence.seed, "Of textures, clutter and the hand's tremor")
+      ->capture_default_str();
+  command->add_option("--noise", arguments->noise, "Sensor noise")
+      ->check(CLI::IsMember({"none"}))
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "Image size, <width>x<height> [px]")
+      ->capture_default_str();
+  command->add_option("--image", arguments->image, "Colour images: png (exact) or jpeg (smaller)")
+      ->check(CLI::IsMember({"png", "jpeg"}))
+      ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "Does not change the result")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->callback([&action, arguments, frames] {
+    const bool frames_given = frames->count() > 0;
+    action = [arguments, frames_given] { return synth(*arguments, frames_given); };
+  });
+}
+
+}  // namespace cvo_slam

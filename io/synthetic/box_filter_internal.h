@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace cvo_slam::synthetic {
+
+// Textures are point-sampled once a pixel, so each of them is averaged over the pixel's footprint
+// in closed form; what cannot be averaged so is faded out before it would alias.
+
+/// Weight of a detail of size `feature` under a filter of width `footprint` (same unit): 1 where
+/// the detail spans two pixels or more (Nyquist), 0 where it is smaller than one.
+inline double fade(double feature, double footprint) {
+  const double s = std::clamp(feature / footprint - 1, 0.0, 1.0);
+  return s * s * (3 - 2 * s);
+}
+
+/// The share of a box of width `width` around x in which frac(x) < duty.
+inline double filtered_pulse(double x, double duty, double width) {
+  const auto integral = [duty](double at) {
+    const double whole = std::floor(at);
+    return whole * duty + std::min(at - whole, duty);
+  };
+  return (integral(x + 0.5 * width) - integral(x - 0.5 * width)) / width;
+}
+
+/// The two unit cells that a box of width <= 1 around x touches.
+struct CellSpan {
+  CellSpan(double x, double width) {
+    const double span = std::clamp(width, 1e-9, 1.0);
+    const double low = std::floor(x - 0.5 * span);
+    first = static_cast<std::int32_t>(low);
+    second_weight = std::clamp((x + 0.5 * span - low - 1) / span, 0.0, 1.0);
+  }
+  std::int32_t first = 0;
+  double second_weight = 0;
+};
+
+/// The average of a picture of unit cells over a box of widths (width_u, width_v) <= 1 around
+/// (u, v); `value(column, row)` is the grey value of a cell.
+template <typename Value>
+double filtered_cells(double u, double v, double width_u, double width_v, const Value& value) {
+  const CellSpan column(u, width_u);
+  const CellSpan row(v, width_v);
+  const auto across = [&](std::int32_t r) {
+    const double left = value(column.first, r);
+    if (column.second_weight == 0) return left;
+    return left + column.second_weight * (value(column.first + 1, r) - left);
+  };
+  const double top = across(row.first);
+  if (row.second_weight == 0) return top;
+  return top + row.second_weight * (across(row.first + 1) - top);
+}
+
+}  // namespace cvo_slam::synthetic

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/io/synthetic/texture.h"
+
+namespace cvo_slam::synthetic {
+
+/// A solid box centred at the origin of its frame, upright along z. Each of its faces carries the
+/// texture, upright and readable from outside.
+struct Box {
+  Vector3 size = Vector3::Ones();  ///< [m]
+};
+
+/// A flat sheet without thickness centred at the origin of its frame. Its axes are those of a
+/// camera that looks at it: x to the right, y down, z away from the viewer; seen from either side.
+struct Rectangle {
+  double width = 1;   ///< [m]
+  double height = 1;  ///< [m]
+};
+
+/// New shapes are added here, and to the functions of shape_internal.h.
+using Shape = std::variant<Box, Rectangle>;
+
+/// A textured shape somewhere in the world.
+struct Primitive {
+  Shape shape;
+  SE3 T_world_shape;
+  Texture texture;
+};
+
+/// A lamp that shines equally in all directions and casts no shadows.
+struct PointLight {
+  Vector3 position = Vector3::Zero();  ///< [m]
+  double power = 1;  ///< grey level share of a white surface that faces it from one metre
+};
+
+/// What a synthetic camera can see. The z axis of the world points up.
+struct Scene {
+  std::vector<Primitive> primitives;
+  std::vector<PointLight> lights;
+  double ambient = 0.5;  ///< grey level share of a white surface without any lamp
+};
+
+/// Distance from a point to the nearest surface, 0 inside a box [m]; infinite in an empty scene.
+[[nodiscard]] double clearance(const Scene& scene, const Vector3& point);
+
+/// Throws OptionError where a size is not positive, or a number not finite; names the primitive.
+void check(const Scene& scene);
+
+}  // namespace cvo_slam::synthetic

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "cvo_slam/io/synthetic/random_internal.h"
+#include "cvo_slam/io/synthetic/scene.h"
+
+namespace cvo_slam::synthetic {
+
+/// Puts primitives upright into a scene and gives each texture a seed of its own.
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(std::uint32_t seed) : random_(seed) {}
+
+  /// A box that stands on `bottom` (the centre of its lower face), turned by `yaw` [rad] about z.
+  void box(const Vector3& bottom, const Vector3& size, Texture texture, double yaw = 0);
+  /// A sheet centred at `center` that someone who looks along `forward` sees upright; with a
+  /// vertical `forward`, up on the sheet is towards +y.
+  void sheet(const Vector3& center, const Vector3& forward, double width, double height,
+             Texture texture);
+  void light(const Vector3& position, double power) { scene_.lights.push_back({position, power}); }
+
+  Random& random() { return random_; }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+ private:
+  Random random_;
+  Scene scene_;
+};
+
+/// The rotation of a sheet that is looked at along `forward`.
+[[nodiscard]] Matrix3 facing(const Vector3& forward);
+
+}  // namespace cvo_slam::synthetic

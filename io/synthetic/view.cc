@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cvo_slam/io/synthetic/view_internal.h"
+
+namespace cvo_slam::synthetic {
+namespace {
+
+constexpr int kTile = 8;  // [px]; small enough that most tiles hold a handful of primitives
+
+int tiles_along(int pixels) { return (pixels + kTile - 1) / kTile; }
+
+Vector3 half_extent_of(const Primitive& primitive) {
+  return std::visit([](const auto& shape) { return half_extent(shape); }, primitive.shape);
+}
+
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
+}  // namespace
+
+View::View(const Scene& scene, const PinholeCamera& camera, const SE3& T_world_camera)
+    : scene_(scene),
+      camera_(camera),
+      T_world_camera_(T_world_camera),
+      tile_columns_(tiles_along(camera.width)),
+      tiles_(static_cast<std::size_t>(tile_columns_) *
+             static_cast<std::size_t>(tiles_along(camera.height))) {
+  placed_.reserve(scene.primitives.size());
+  for (const auto& primitive : scene.primitives) {
+    const SE3 T_shape_camera = primitive.T_world_shape.inverse() * T_world_camera;
+    placed_.push_back({T_shape_camera.rotation(), T_shape_camera.translation()});
+    add_to_tiles(placed_.size() - 1);
+  }
+  for (auto& tile : tiles_) {
+    std::stable_sort(tile.begin(), tile.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.nearest < b.nearest; });
+  }
+}
+
+void View::add_to_tiles(std::size_t index) {
+  const Bounds bounds = image_bounds(index);
+  for (int row = bounds.top / kTile; row <= bounds.bottom / kTile; ++row) {
+    for (int column = bounds.left / kTile; column <= bounds.right / kTile; ++column) {
+      tiles_[static_cast<std::size_t>(row * tile_columns_ + column)].push_back(
+          {static_cast<std::uint32_t>(index), bounds.nearest});
+    }
+  }
+}
+
+View::Bounds View::image_bounds(std::size_t index) const {
+  constexpr double kNear = 1e-3;  // [m]
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Vector3 half = half_extent_of(scene_.primitives[index]);
+  const Placed& placed = placed_[index];
+  const auto corner_at = [&](int corner) -> Vector3 {
+    const Vector3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                       (corner & 4) != 0 ? 1 : -1);
+    return placed.R_shape_camera.transpose() * (half.cwiseProduct(sign) - placed.camera_in_shape);
+  };
+  Eigen::Array2d low = Eigen::Array2d::Constant(kInfinity);
+  Eigen::Array2d high = -low;
+  const auto include = [&](const Vector3& point) {
+    const Eigen::Array2d pixel = camera_.project(point).array();
+    low = low.min(pixel);
+    high = high.max(pixel);
+  };
+  double nearest = kInfinity;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3 point = corner_at(corner);
+    nearest = std::min(nearest, point.z());
+    if (point.z() < kNear) continue;
+    include(point);
+    // Edges that reach behind the camera are cut off where they pass the near plane.
+    for (const int direction : {1, 2, 4}) {
+      const Vector3 other = corner_at(corner ^ direction);
+      if (other.z() >= kNear) continue;
+      include(point + (other - point) * ((point.z() - kNear) / (point.z() - other.z())));
+    }
+  }
+  const Eigen::Array2d last(camera_.width - 1, camera_.height - 1);
+  // Positions on the image reach half a pixel beyond a pixel's centre.
+  if ((high < -0.5).any() || (low > last + 0.5).any()) return {};
+  low = (low - 1).floor().max(0.0).min(last);
+  high = (high + 1).ceil().max(0.0).min(last);
+  // Less by far more than rounding: a bound that is too low only costs time.
+  return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x()),
+          static_cast<int>(high.y()), nearest - 1e-6};
+}
+
+std::size_t View::tile_of(double x, double y) const {
+  const int column = std::clamp(static_cast<int>(x + 0.5), 0, camera_.width - 1) / kTile;
+  const int row = std::clamp(static_cast<int>(y + 0.5), 0, camera_.height - 1) / kTile;
+  return static_cast<std::size_t>(row * tile_columns_ + column);
+}
+
+Vector3 View::direction(double x, double y) const {
+  return {(x - camera_.cx) / camera_.fx, (y - camera_.cy) / camera_.fy, 1.0};
+}
+
+Ray View::ray_in(std::size_t index, const Vector3& direction) const {
+  const Placed& placed = placed_[index];
+  return {placed.camera_in_shape, placed.R_shape_camera * direction};
+}
+
+Visible View::look(double x, double y) const {
+  // With z = 1 in the direction, a ray's distance is the depth.
+  const Vector3 direction = View::direction(x, y);
+  Visible nearest;
+  for (const auto& [index, bound] : tiles_[tile_of(x, y)]) {
+    if (nearest.primitive != Visible::kNothing && bound > nearest.depth) break;
+    const Ray ray = ray_in(index, direction);
+    const auto hit = std::visit([&ray](const auto& shape) { return intersect(shape, ray); },
+                                scene_.primitives[index].shape);
+    if (hit && (nearest.primitive == Visible::kNothing || hit->distance < nearest.depth)) {
+      nearest = {hit->distance, static_cast<std::int32_t>(index), hit->face};
+    }
+  }
+  return nearest;
+}
+
+Color View::shade(const Visible& visible, double x, double y, double side) const {
+  if (visible.primitive == Visible::kNothing) return Color::Zero();
+  const auto index = static_cast<std::size_t>(visible.primitive);
+  const Primitive& primitive = scene_.primitives[index];
+  const Ray ray = ray_in(index, direction(x, y));
+  const Vector3 point = ray.origin + visible.depth * ray.direction;
+  const Surface surface = std::visit(
+      [&](const auto& shape) { return surface_at(shape, visible.face, point); }, primitive.shape);
+
+  // Moving by a pixel moves the point on the tangent plane: ray differentials, after H. Igehy,
+  // "Tracing ray differentials", SIGGRAPH 1999.
+  const double slope = surface.normal.dot(ray.direction);
+  const auto moved = [&](const Vector3& step) -> Vector3 {
+    return visible.depth * (step - ray.direction * (surface.normal.dot(step) / slope));
+  };
+  const Matrix3& R = placed_[index].R_shape_camera;
+  const Vector3 across = moved(R.col(0) * (side / camera_.fx));
+  const Vector3 along = moved(R.col(1) * (side / camera_.fy));
+  const SurfacePoint lookup{surface.u,
+                            surface.v,
+                            surface.size_u,
+                            surface.size_v,
+                            length(surface.right.dot(across), surface.right.dot(along)),
+                            length(surface.down.dot(across), surface.down.dot(along))};
+
+  const Vector3 towards_viewer = slope < 0 ? surface.normal : Vector3(-surface.normal);
+  return sample(primitive.texture, lookup) *
+         brightness(primitive.T_world_shape * point,
+                    primitive.T_world_shape.rotation() * towards_viewer);
+}
+
+double View::brightness(const Vector3& point, const Vector3& normal) const {
+  double sum = scene_.ambient;
+  for (const auto& light : scene_.lights) {
+    const Vector3 to_light = light.position - point;
+    const double squared = to_light.squaredNorm();
+    const double cosine = normal.dot(to_light) / std::sqrt(squared);
+    // Lambert's law. The inverse square is softened so that a wall beside a lamp is not burnt out.
+    sum += light.power * std::max(0.0, cosine) / (1 + squared);
+  }
+  return sum;
+}
+
+}  // namespace cvo_slam::synthetic

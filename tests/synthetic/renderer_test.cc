@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/io/synthetic/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/io/synthetic/world.h"
+
+namespace cvo_slam::synthetic {
+namespace {
+
+const PinholeCamera kCamera = synthetic_camera(160, 120).color;
+
+Texture plain(double grey) {
+  Texture texture;
+  texture.base = Color::Constant(grey);
+  texture.contrast = 0;
+  return texture;
+}
+
+/// A lit scene of one primitive, seen from the origin along z.
+Scene scene_of(const Shape& shape, const SE3& T_camera_shape) {
+  Scene scene;
+  scene.primitives.push_back({shape, T_camera_shape, plain(0.5)});
+  scene.ambient = 1;
+  return scene;
+}
+
+TEST(Render, DepthOfATiltedSheetIsThatOfItsPlane) {
+  const SE3 T_camera_sheet(so3_exp({0.3, -0.5, 0.2}), {0.05, -0.02, 2});
+  const Rendering rendering = render(scene_of(Rectangle{9, 9}, T_camera_sheet), kCamera, {});
+  const Vector3 normal = T_camera_sheet.rotation().col(2);
+  for (int y = 0; y < kCamera.height; y += 7) {
+    for (int x = 0; x < kCamera.width; x += 7) {
+      const Vector3 direction = kCamera.unproject({x, y});
+      const double expected = normal.dot(T_camera_sheet.translation()) / normal.dot(direction);
+      ASSERT_NEAR(rendering.depth.at<double>(y, x), expected, 1e-12);
+    }
+  }
+}
+
+TEST(Render, SeesTheFrontOfABoxAndNothingBesideIt) {
+  // The front face spans x, y in [-0.5, 0.5] at z = 2, which is 32.8 px to each side.
+  const Scene scene = scene_of(Box{{1, 1, 2}}, SE3(Matrix3::Identity(), {0, 0, 3}));
+  const Rendering rendering = render(scene, kCamera, {});
+  EXPECT_NEAR(rendering.depth.at<double>(60, 80), 2, 1e-12);
+  EXPECT_NEAR(rendering.color.at<cv::Vec3f>(60, 80)[1], 127.5, 1e-4);
+  EXPECT_EQ(rendering.depth.at<double>(60, 80 + 40), 0);
+  EXPECT_EQ(rendering.color.at<cv::Vec3f>(60, 80 + 40), cv::Vec3f(0, 0, 0));
+}
+
+TEST(Render, ARayExactlyAlongASlabIsNotLost) {
+  // An odd image has a pixel whose ray is exactly (0, 0, 1): two slabs are parallel to it.
+  const PinholeCamera camera = synthetic_camera(161, 121).color;
+  const auto depth_of_box_at = [&](double x) {
+    const Scene scene = scene_of(Box{{1, 1, 1}}, SE3(Matrix3::Identity(), {x, 0, 3}));
+    return render(scene, camera, {}).depth.at<double>(60, 80);
+  };
+  EXPECT_NEAR(depth_of_box_at(0.1), 2.5, 1e-12);
+  EXPECT_EQ(depth_of_box_at(0.7), 0);
+}
+
+TEST(Render, TheRimOfASurfaceIsBlended) {
+  const Scene scene = scene_of(Rectangle{1, 1}, SE3(so3_exp({0, 0, 0.3}), {0, 0, 2}));
+  const Rendering rendering = render(scene, kCamera, {});
+  const auto blended =
+      std::count_if(rendering.color.begin<cv::Vec3f>(), rendering.color.end<cv::Vec3f>(),
+                    [](const cv::Vec3f& c) { return c[0] > 1 && c[0] < 126; });
+  // Most of the rim's 4 * 65 px; a point-sampled picture has none.
+  EXPECT_GT(blended, 150);
+}
+
+TEST(Render, RefusesACameraWithDistortion) {
+  PinholeCamera camera = kCamera;
+  camera.distortion[0] = 0.1;
+  EXPECT_THROW(static_cast<void>(render(Scene{}, camera, {})), OptionError);
+}
+
+struct Reprojection {
+  std::size_t compared = 0;
+  std::size_t occluded = 0;
+  std::vector<double> depth_errors;  // relative
+  std::vector<double> color_errors;  // grey levels
+};
+
+/// Points of frame a moved to frame b and compared with what b shows there.
+Reprojection reproject(const Rendering& a, const Rendering& b, const SE3& T_b_a) {
+  Reprojection result;
+  for (int y = 0; y < kCamera.height; ++y) {
+    for (int x = 0; x < kCamera.width; ++x) {
+      const Vector3 point = T_b_a * (a.depth.at<double>(y, x) * kCamera.unproject({x, y}));
+      if (point.z() < 0.1) continue;
+      const Eigen::Vector2d pixel = kCamera.project(point);
+      const int u = static_cast<int>(std::lround(pixel.x()));
+      const int v = static_cast<int>(std::lround(pixel.y()));
+      if (u < 1 || v < 1 || u >= kCamera.width - 1 || v >= kCamera.height - 1) continue;
+      ++result.compared;
+      // The point lies between four pixels' depths where no rim runs through them.
+      double low = b.depth.at<double>(v, u);
+      double high = low;
+      for (int dv = -1; dv <= 1; ++dv) {
+        for (int du = -1; du <= 1; ++du) {
+          low = std::min(low, b.depth.at<double>(v + dv, u + du));
+          high = std::max(high, b.depth.at<double>(v + dv, u + du));
+        }
+      }
+      if (point.z() > 1.01 * high) {
+        ++result.occluded;
+        continue;
+      }
+      const double outside = std::max({0.0, low - point.z(), point.z() - high});
+      result.depth_errors.push_back(outside / point.z());
+      const cv::Vec3f difference = a.color.at<cv::Vec3f>(y, x) - b.color.at<cv::Vec3f>(v, u);
+      result.color_errors.push_back(std::abs(difference[1]));
+    }
+  }
+  return result;
+}
+
+double quantile(std::vector<double> values, double share) {
+  const auto position = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + position, values.end());
+  return values[static_cast<std::size_t>(position)];
+}
+
+TEST(Render, FramesOfTheRoomReprojectIntoEachOther) {
+  const World world = make_world("room", 1);
+  for (const double start : {0.0, 2.5, 5.0, 7.5}) {
+    const SE3 T_world_a = world.path.T_world_camera(start);
+    const SE3 T_world_b = world.path.T_world_camera(start + 0.3);
+    const auto result =
+        reproject(render(world.scene, kCamera, T_world_a), render(world.scene, kCamera, T_world_b),
+                  T_world_b.inverse() * T_world_a);
+    // 0.3 s turn the camera by about 10 of its 63 degrees.
+    ASSERT_GT(result.compared, static_cast<std::size_t>(160 * 120 / 2)) << start;
+    EXPECT_LT(result.occluded, result.compared / 20) << start;
+    // Between neighbouring pixels' depths on every smooth surface; the rest sits at rims.
+    EXPECT_LT(quantile(result.depth_errors, 0.97), 1e-4) << start;
+    // Lambert: colour stays. A rounding to the nearest pixel costs half a pixel of gradient: the
+    // median gradient of these coarse images is about 4 grey levels a pixel.
+    EXPECT_LT(quantile(result.color_errors, 0.5), 4) << start;
+  }
+}
+
+}  // namespace
+}  // namespace cvo_slam::synthetic
