@@ -33,18 +33,21 @@ double support_radius(const KernelOptions& options, double length_scale) {
 double label_product(const KernelOptions& options, const PointCloud& a, std::size_t i,
                      const PointCloud& b, std::size_t j) {
   constexpr std::size_t kColors = 3;
-  double product = 0;
-  double exponent = 0;
-  for (std::size_t k = 0; k < PointCloud::kFeatures; ++k) {
-    const double fa = a.features[k][i];
-    const double fb = b.features[k][j];
-    const double scale = k < kColors ? options.color_scale : options.gradient_scale;
-    exponent += (fa - fb) * (fa - fb) / (2 * scale * scale);
-    if (k < kColors) product += fa * fb;
+  if (options.color_kernel == ColorKernel::kLinear) {
+    constexpr double kLinearScale = 1e-5;  // the paper's remark: 1 / 10^5
+    double product = 0;
+    for (std::size_t f = 0; f < kColors; ++f) {
+      product += static_cast<double>(a.features[f][i]) * b.features[f][j];
+    }
+    return kLinearScale * product;
   }
-  constexpr double kLinearScale = 1e-5;  // the paper's remark: 1 / 10^5
-  return options.color_kernel == ColorKernel::kLinear ? kLinearScale * product
-                                                      : std::exp(-exponent);
+  double exponent = 0;
+  for (std::size_t f = 0; f < PointCloud::kFeatures; ++f) {
+    const double difference = static_cast<double>(a.features[f][i]) - b.features[f][j];
+    const double scale = f < kColors ? options.color_scale : options.gradient_scale;
+    exponent -= difference * difference / (2 * scale * scale);
+  }
+  return std::exp(exponent);
 }
 
 }  // namespace cvo_slam

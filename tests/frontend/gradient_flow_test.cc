@@ -26,7 +26,7 @@ class GradientFlow : public testing::Test {
     kernel_.sparsification = 1e-9;  // smooth
     kernel_.color_kernel = ColorKernel::kLinear;
     grid_.build(fixed_, support_radius(kernel_, kScale));
-    pairs_ = find_pairs(grid_, moving_, T_, kernel_, kScale);
+    find_pairs(grid_, moving_, T_, kernel_, kScale, pairs_);
   }
 
   /// F(h exp(t xi)) for T = h^-1: the moved points go to exp(-t xi) T z.
@@ -58,14 +58,14 @@ class GradientFlow : public testing::Test {
   PointCloud moving_ = random_cloud(30, 2);
   SE3 T_ = motion(0.05, -0.03, 0.02, 0.1, -0.05, 0.2);
   NeighborGrid grid_;
-  std::vector<Pair> pairs_;
+  PairList pairs_;
   /// A direction whose unit of time moves points by about half a length scale.
   FlowDirection direction_{Vector3(0.06, -0.08, 0.05), Vector3(-0.05, 0.07, 0.03)};
 };
 
 TEST_F(GradientFlow, FindsEveryPair) {
   double sum = 0;
-  for (const auto& pair : pairs_) sum += pair.w;
+  for (const auto& pair : pairs_.pairs) sum += pair.w;
   EXPECT_NEAR(sum, reference_objective(fixed_, moving_, T_, kernel_, kScale), 1e-12 * sum);
 }
 
@@ -101,11 +101,13 @@ TEST_F(GradientFlow, ThePrintedExpansionWithoutFactorialsIsWrong) {
   // coefficient is off by far more than rounding.
   const double inv2 = 1 / (kScale * kScale);
   double g2 = 0;
-  for (const auto& [z, d, w] : pairs_) {
-    const Vector3 u = direction_.omega.cross(z) + direction_.v;
-    const double beta = -inv2 * u.dot(d);
-    const double gamma = -inv2 / 2 * (u.squaredNorm() + direction_.omega.cross(u).dot(d));
-    g2 += w * (gamma + beta * beta / 2);
+  for (const auto& group : pairs_.groups) {
+    const Vector3 u = direction_.omega.cross(group.z) + direction_.v;
+    for (const auto& [d, w] : pairs_.of(group)) {
+      const double beta = -inv2 * u.dot(d);
+      const double gamma = -inv2 / 2 * (u.squaredNorm() + direction_.omega.cross(u).dot(d));
+      g2 += w * (gamma + beta * beta / 2);
+    }
   }
   const double numeric = numeric_expansion(direction_)[1];
   EXPECT_GT(std::abs(g2 - numeric), 1e-4 * std::abs(numeric));

@@ -40,7 +40,8 @@ class Theorem : public testing::Test {
 TEST_F(Theorem, IdentityIsAFixedPointForEqualClouds) {
   NeighborGrid grid;
   grid.build(x_, support_radius(kernel_, kScale));
-  const auto pairs = find_pairs(grid, x_, SE3(), kernel_, kScale);
+  PairList pairs;
+  find_pairs(grid, x_, SE3(), kernel_, kScale, pairs);
   const FlowDirection flow = flow_direction(pairs, kScale, 7, 7);
   // Terms cancel in pairs up to rounding of sums of about 100 terms of size up to 1.
   EXPECT_LT(flow.omega.norm(), 1e-13);
@@ -107,7 +108,8 @@ TEST_F(Theorem, FlowStepsAscend) {
   NeighborGrid grid;
   grid.build(x_, support_radius(kernel_, kScale));
   const SE3 T = motion(0.05, -0.03, 0.02, 0.05, -0.05, 0.1);
-  const auto pairs = find_pairs(grid, x_, T, kernel_, kScale);
+  PairList pairs;
+  find_pairs(grid, x_, T, kernel_, kScale, pairs);
   const FlowDirection flow = flow_direction(pairs, kScale, 7, 7);
   const auto t = smallest_positive_stationary_point(step_expansion(pairs, flow, kScale));
   ASSERT_TRUE(t);
