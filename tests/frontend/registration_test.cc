@@ -92,7 +92,26 @@ TEST_P(Solvers, FindAKnownMotion) {
   }
 }
 
+/// 0.1 mm and 0.01 degrees: below anything that a depth camera resolves.
+void expect_agreement(const SE3& a, const SE3& b) { expect_near(a, b, 1e-4, 0.01 * M_PI / 180); }
+
 TEST_P(Solvers, AgreeWithTheOracleAtAFixedLengthScale) {
+  constexpr double kScale = 0.1;
+  RegistrationOptions options = Solvers::options({kScale});
+  // At 1e-3 every pair at the rim of the support may make a maximum of its own: in clouds of 100
+  // points 0.3 mm from the next. At 1e-6 they are a thousand times closer.
+  options.kernel.sparsification = 1e-6;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const PointCloud fixed = centred_cloud(100, seed);
+    const SE3 T = random_motion(0.01, 0.02, 200 + seed);
+    const PointCloud moving = noisy(transformed(fixed, T.inverse()), 300 + seed);
+    const SE3 oracle = reference_align(fixed, moving, SE3(), options.kernel, kScale);
+    expect_agreement(align(fixed, moving, SE3(), options).T_fixed_moving, oracle);
+  }
+}
+
+TEST_P(Solvers, EndWhereTheOracleStandsStill) {
   constexpr double kScale = 0.1;
   const RegistrationOptions options = Solvers::options({kScale});
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -100,10 +119,8 @@ TEST_P(Solvers, AgreeWithTheOracleAtAFixedLengthScale) {
     const PointCloud fixed = centred_cloud(100, seed);
     const SE3 T = random_motion(0.01, 0.02, 200 + seed);
     const PointCloud moving = noisy(transformed(fixed, T.inverse()), 300 + seed);
-    const SE3 oracle = reference_align(fixed, moving, SE3(), options.kernel, kScale);
-    const auto result = align(fixed, moving, SE3(), options);
-    // 0.1 mm and 0.01 degrees: below anything that a depth camera resolves.
-    expect_near(result.T_fixed_moving, oracle, 1e-4, 0.01 * M_PI / 180);
+    const SE3 found = align(fixed, moving, SE3(), options).T_fixed_moving;
+    expect_agreement(reference_align(fixed, moving, found, options.kernel, kScale), found);
   }
 }
 
@@ -128,13 +145,13 @@ TEST_P(Solvers, CountPointsWithoutAPartnerInTheOverlap) {
 
 TEST_P(Solvers, StopAtTheIterationLimit) {
   RegistrationOptions options = Solvers::options({0.1, 0.05, 0.03});
-  options.max_iterations = {1, 2};  // the last entry holds for the third scale too
+  options.max_iterations = {2, 1};  // the last entry holds for the third scale too
   const PointCloud fixed = centred_cloud(150, 3);
   const SE3 T = random_motion(0.04, 0.06, 4);
   const auto result = align(fixed, transformed(fixed, T.inverse()), SE3(), options);
   EXPECT_EQ(result.status, RegistrationStatus::kIterationLimit);
   EXPECT_EQ(result.reason, "iteration limit");
-  EXPECT_EQ(result.iterations, 1 + 2 + 2);
+  EXPECT_EQ(result.iterations, 2 + 1 + 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Solvers,
