@@ -145,13 +145,13 @@ TEST_P(Solvers, CountPointsWithoutAPartnerInTheOverlap) {
 
 TEST_P(Solvers, StopAtTheIterationLimit) {
   RegistrationOptions options = Solvers::options({0.1, 0.05, 0.03});
-  options.max_iterations = {2, 1};  // the last entry holds for the third scale too
+  options.max_iterations = {1};  // it holds for the scales after the first too
   const PointCloud fixed = centred_cloud(150, 3);
   const SE3 T = random_motion(0.04, 0.06, 4);
   const auto result = align(fixed, transformed(fixed, T.inverse()), SE3(), options);
   EXPECT_EQ(result.status, RegistrationStatus::kIterationLimit);
   EXPECT_EQ(result.reason, "iteration limit");
-  EXPECT_EQ(result.iterations, 2 + 1 + 1);
+  EXPECT_EQ(result.iterations, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Solvers,

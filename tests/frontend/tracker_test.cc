@@ -43,10 +43,10 @@ class TrackerOnSyntheticFrames : public testing::Test {
   TrackerOptions options_ = tracker_test_options();
 };
 
-// A pixel is 1 / 262 rad = 3.8 mrad, 8 mm at 2 m, and points are at whole pixels: half a pixel of
-// error each, of which the mean over hundreds of points leaves a fraction.
-constexpr double kTranslation = 4e-3;
-constexpr double kRotation = 2e-3;
+// A pixel: points lie at whole pixels, of 1 / 262 rad, which is 8 mm at the 2 m of the room's
+// walls.
+constexpr double kRotation = 1 / 262.5;
+constexpr double kTranslation = 2 * kRotation;
 
 TEST_F(TrackerOnSyntheticFrames, FollowsTheExactPoses) {
   const auto records = track(12, options_);
@@ -56,8 +56,9 @@ TEST_F(TrackerOnSyntheticFrames, FollowsTheExactPoses) {
     EXPECT_EQ(record.points, 500U);
     EXPECT_GT(record.registration.overlap, 0.5);
   }
-  const double moved = frames_.T_first_camera(0, 11).translation().norm();
-  EXPECT_GT(moved, 5 * kTranslation) << "standing still would not do";
+  const SE3 moved = frames_.T_first_camera(0, 11);
+  EXPECT_GT(moved.translation().norm(), 5 * kTranslation) << "standing still would not do";
+  EXPECT_GT(moved.angle(), 5 * kRotation);
 }
 
 TEST_F(TrackerOnSyntheticFrames, TheFirstFrameIsTheOriginAndAKeyframe) {
@@ -70,7 +71,7 @@ TEST_F(TrackerOnSyntheticFrames, TheFirstFrameIsTheOriginAndAKeyframe) {
 }
 
 TEST_F(TrackerOnSyntheticFrames, TakesKeyframesForTheReasonThatItGives) {
-  const auto reasons = [&](const auto& change) {
+  const auto reasons_with = [&](const auto& change) {
     TrackerOptions options = options_;
     options.keyframe = {.min_overlap = 0, .max_translation = 100, .max_rotation = 4};
     change(options.keyframe);
@@ -80,11 +81,12 @@ TEST_F(TrackerOnSyntheticFrames, TakesKeyframesForTheReasonThatItGives) {
   };
   using Reasons = std::vector<std::string>;
   const std::string start = "start of a segment";
-  EXPECT_EQ(reasons([](auto&) {}), (Reasons{start, "", ""}));
-  EXPECT_EQ(reasons([](auto& k) { k.min_overlap = 1; }), (Reasons{start, "overlap", "overlap"}));
-  EXPECT_EQ(reasons([](auto& k) { k.max_translation = 1e-6; }),
+  EXPECT_EQ(reasons_with([](auto&) {}), (Reasons{start, "", ""}));
+  EXPECT_EQ(reasons_with([](auto& k) { k.min_overlap = 1; }),
+            (Reasons{start, "overlap", "overlap"}));
+  EXPECT_EQ(reasons_with([](auto& k) { k.max_translation = 1e-6; }),
             (Reasons{start, "translation", "translation"}));
-  EXPECT_EQ(reasons([](auto& k) { k.max_rotation = 1e-6; }),
+  EXPECT_EQ(reasons_with([](auto& k) { k.max_rotation = 1e-6; }),
             (Reasons{start, "rotation", "rotation"}));
 }
 
@@ -148,12 +150,15 @@ TEST_F(TrackerOnSyntheticFrames, TracksGreyImages) {
 }
 
 TEST_F(TrackerOnSyntheticFrames, ImagesMayBeOverwrittenAfterTheCall) {
-  // Grabbers write every image into the same memory.
+  // Grabbers write every image into the same memory. The tracker returns to the last tracked frame
+  // where the keyframe is too unlike the new one, as it is here from the fourth frame on.
   options_.keyframe = {.min_overlap = 0, .max_translation = 100, .max_rotation = 4};
-  const auto expected = track(3, options_);
+  options_.lost.min_cos_theta = 0.47;
+  const auto expected = track(6, options_);
+  EXPECT_GT(expected.back().keyframe, 0U) << "a frame was made a keyframe afterwards";
   Tracker tracker(frames_.camera(), options_);
   RgbdFrame buffer = frames_.frame(0);
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < expected.size(); ++i) {
     const RgbdFrame frame = frames_.frame(i);
     frame.color.copyTo(buffer.color);
     frame.depth.copyTo(buffer.depth);
