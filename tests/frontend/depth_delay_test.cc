@@ -4,6 +4,8 @@
 // Points of a frame whose depth image was taken from elsewhere than its colour image.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <random>
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/frontend/kernel.h"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>

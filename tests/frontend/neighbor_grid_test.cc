@@ -3,7 +3,8 @@
 //
 // What a query finds against a search through all points.
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <set>

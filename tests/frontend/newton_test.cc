@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The steps of the Newton solver at one length scale.
+#include <algorithm>
+#include <vector>
+
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 

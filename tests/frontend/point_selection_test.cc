@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -126,6 +128,7 @@ TEST_F(PointSelection, AvoidsDiscontinuitiesOfDepth) {
 }
 
 TEST_F(PointSelection, AvoidsTheRimOfMissingDepth) {
+  options_.max_depth_step = 10;  // missing depth is no step
   const cv::Rect hole(100, 80, 40, 30);
   frame_.depth(hole).setTo(0);
   const cv::Rect rim(hole.x - 2, hole.y - 2, hole.width + 4, hole.height + 4);

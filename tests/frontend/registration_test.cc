@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

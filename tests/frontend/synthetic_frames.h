@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/rgbd_frame.h"

@@ -3,6 +3,7 @@
 //
 // Stretches of real sequences with the default options.
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,9 @@
 // The tracker on exact images of a known walk.
 #include "cvo_slam/frontend/tracker.h"
 
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
