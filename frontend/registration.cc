@@ -84,8 +84,11 @@ RegistrationResult Registration::align(const PointCloud& moving,
   result.objective = state.value.value;
   result.overlap = static_cast<double>(state.value.matched) / static_cast<double>(moving.size());
   const Objective& finest = impl_->levels.back();
-  result.cos_theta = state.value.inner_product /
-                     std::sqrt(impl_->fixed_squared_norm * finest.squared_norm(moving));
+  // The kernel cut to its support is not positive definite: on a regular lattice the quotient can
+  // be larger than one.
+  result.cos_theta =
+      std::min(1.0, state.value.inner_product /
+                        std::sqrt(impl_->fixed_squared_norm * finest.squared_norm(moving)));
   const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
   result.information = right_information(state.value.hessian, result.T_fixed_moving) / mean_weight;
   return result;

@@ -76,6 +76,7 @@ struct Tracker::Impl {
   void start_segment(const RgbdFrame& frame, FrameRecord& record);
   [[nodiscard]] PointCloud select(const RgbdFrame& frame, int count) const;
   void set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera);
+  void remember(const RgbdFrame& frame);
   std::string register_frame(const PointCloud& cloud, FrameRecord& record);
   std::string register_from(const PointCloud& cloud, const SE3& T_world_camera_init,
                             FrameRecord& record) const;
@@ -87,6 +88,13 @@ void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_came
   keyframe = frame;
   T_world_keyframe = T_world_camera;
   registration.set_fixed(select(frame, options.keyframe_points));
+}
+
+/// Keeps a copy of the images: the caller may grab the next ones into the same memory.
+void Tracker::Impl::remember(const RgbdFrame& frame) {
+  last_tracked = frame;
+  last_tracked.color = frame.color.clone();
+  last_tracked.depth = frame.depth.clone();
 }
 
 /// The frame's points, with the motion between its two images taken out.
@@ -108,7 +116,7 @@ void Tracker::Impl::start_segment(const RgbdFrame& frame, FrameRecord& record) {
   set_keyframe(frame, record.T_world_camera);
   motion.stop();
   motion.update(frame.stamp, record.T_world_camera);
-  last_tracked = frame;
+  remember(frame);
 }
 
 /// Registers against the keyframe from a start; returns what is wrong with the result, or nothing.
@@ -144,7 +152,7 @@ void Tracker::Impl::accept(const RgbdFrame& frame, FrameRecord& record) {
   lost_in_a_row = 0;
   record.status = TrackingStatus::kTracked;
   motion.update(frame.stamp, record.T_world_camera);
-  last_tracked = frame;
+  remember(frame);
   record.keyframe_reason = options.reference == Reference::kPreviousFrame
                                ? "previous frame"
                                : keyframe_reason(record.registration, options.keyframe);

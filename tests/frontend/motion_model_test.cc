@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "cvo_slam/frontend/motion_model_internal.h"
+#include "cvo_slam/tests/frontend/test_clouds.h"
+
+namespace cvo_slam {
+namespace {
+
+Timestamp at(double seconds) { return Timestamp::from_seconds(seconds); }
+
+void expect_near(const SE3& a, const SE3& b) {
+  EXPECT_LT((a.inverse() * b).log().norm(), 1e-12);  // rounding
+}
+
+const SE3 kStart = motion(1, 2, 3, 0.1, 0.2, 0.3);
+/// The camera's motion in a second, in its own frame.
+const Vector6 kVelocity = (Vector6() << 0.3, -0.2, 0.5, 0.4, -0.6, 0.2).finished();
+
+SE3 pose_after(double seconds) { return kStart * SE3::exp(seconds * kVelocity); }
+
+TEST(MotionModel, StaysAtTheOriginBeforeTheFirstPose) {
+  const MotionModel model;
+  expect_near(model.predict(at(5)), SE3());
+  expect_near(model.motion(at(1), at(2)), SE3());
+}
+
+TEST(MotionModel, StaysAtTheFirstPose) {
+  MotionModel model;
+  model.update(at(10), kStart);
+  expect_near(model.predict(at(11)), kStart);
+  expect_near(model.motion(at(10), at(11)), SE3());
+  expect_near(model.last_pose(), kStart);
+  EXPECT_EQ(model.last_stamp(), at(10));
+}
+
+TEST(MotionModel, ExtrapolatesConstantVelocityExactly) {
+  MotionModel model;
+  model.update(at(10), kStart);
+  model.update(at(10.5), pose_after(0.5));
+  for (const double later : {0.5, 0.53, 1.0, 2.5}) {
+    expect_near(model.predict(at(10 + later)), pose_after(later));
+  }
+}
+
+TEST(MotionModel, MotionIsThePoseOfTheLaterCameraInTheEarlierOne) {
+  MotionModel model;
+  model.update(at(10), kStart);
+  model.update(at(11), pose_after(1));
+  expect_near(model.motion(at(11), at(11.017)), pose_after(1).inverse() * pose_after(1.017));
+  expect_near(model.motion(at(11), at(10.983)), pose_after(1).inverse() * pose_after(0.983));
+}
+
+TEST(MotionModel, TakesTheVelocityOfTheLastTwoPoses) {
+  MotionModel model;
+  model.update(at(10), kStart * motion(0.3, 0, 0, 0, 0.2, 0));
+  model.update(at(10.1), kStart);
+  model.update(at(10.3), pose_after(0.2));
+  expect_near(model.predict(at(10.4)), pose_after(0.3));
+}
+
+TEST(MotionModel, StopForgetsTheVelocityButNotThePose) {
+  MotionModel model;
+  model.update(at(10), kStart);
+  model.update(at(11), pose_after(1));
+  model.stop();
+  expect_near(model.predict(at(12)), pose_after(1));
+  expect_near(model.motion(at(11), at(12)), SE3());
+  // The next pose gives the mean velocity over the gap.
+  model.update(at(13), pose_after(3));
+  expect_near(model.predict(at(14)), pose_after(4));
+}
+
+TEST(MotionModel, TwoPosesOfOneTimeGiveNoVelocity) {
+  MotionModel model;
+  model.update(at(10), kStart);
+  model.update(at(10), pose_after(1));
+  expect_near(model.predict(at(11)), pose_after(1));
+}
+
+}  // namespace
+}  // namespace cvo_slam

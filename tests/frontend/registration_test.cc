@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Both solvers find known motions, agree with the oracle, and say the truth about their result.
+#include "cvo_slam/frontend/registration.h"
+
+#include <cmath>
+#include <random>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include "cvo_slam/tests/frontend/reference_align.h"
+#include "cvo_slam/tests/frontend/test_clouds.h"
+
+namespace cvo_slam {
+namespace {
+
+/// Options whose every number is set here, with tolerances far below what is asserted.
+RegistrationOptions exact_options(Solver solver, ColorKernel color,
+                                  std::vector<double> length_scales) {
+  RegistrationOptions options;
+  options.solver = solver;
+  options.kernel.sigma = 0.1;
+  options.kernel.sparsification = 1e-3;
+  options.kernel.color_kernel = color;
+  options.kernel.color_scale = 80;
+  options.kernel.gradient_scale = 80;
+  options.length_scales = std::move(length_scales);
+  options.max_iterations = {5000};
+  options.tolerance_translation = options.tolerance_rotation = 1e-7;
+  options.flow.min_step = 1e-8;
+  options.flow.min_gradient = 0;
+  return options;
+}
+
+/// A cloud around the origin, where rotation and translation hardly depend on each other and the
+/// first-order solvers converge quickly.
+PointCloud centred_cloud(std::size_t n, unsigned seed) {
+  return transformed(random_cloud(n, seed), SE3(Matrix3::Identity(), {0, 0, -1.5}));
+}
+
+/// A seeded motion of at most `translation` [m] and `rotation` [rad] along and about each axis.
+SE3 random_motion(double translation, double rotation, unsigned seed) {
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  Vector6 xi;
+  for (int k = 0; k < 6; ++k) xi[k] = unit(rng) * (k < 3 ? translation : rotation);
+  return SE3::exp(xi);
+}
+
+/// Another look at the same places: positions off by up to 5 mm, colours by up to 10 grey levels.
+PointCloud noisy(PointCloud cloud, unsigned seed) {
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<float> unit(-1.0F, 1.0F);
+  for (auto* axis : {&cloud.x, &cloud.y, &cloud.z}) {
+    for (float& value : *axis) value += 0.005F * unit(rng);
+  }
+  for (auto& feature : cloud.features) {
+    for (float& value : feature) value += 10 * unit(rng);
+  }
+  return cloud;
+}
+
+void expect_near(const SE3& a, const SE3& b, double translation, double rotation) {
+  const SE3 difference = a.inverse() * b;
+  EXPECT_LT(difference.translation().norm(), translation);
+  EXPECT_LT(difference.angle(), rotation);
+}
+
+class Solvers : public testing::TestWithParam<std::tuple<Solver, ColorKernel>> {
+ protected:
+  [[nodiscard]] static RegistrationOptions options(std::vector<double> length_scales) {
+    return exact_options(std::get<0>(GetParam()), std::get<1>(GetParam()),
+                         std::move(length_scales));
+  }
+};
+
+TEST_P(Solvers, FindAKnownMotion) {
+  // For a moved copy the true pose is stationary, as its pairs cancel two by two, so that what is
+  // left is the solver's tolerance and the single precision of positions near 1 m.
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const PointCloud fixed = centred_cloud(150, seed);
+    const SE3 T = random_motion(0.04, 0.06, 100 + seed);
+    const auto result =
+        align(fixed, transformed(fixed, T.inverse()), SE3(), options({0.1, 0.05, 0.025, 0.015}));
+    EXPECT_EQ(result.status, RegistrationStatus::kConverged);
+    EXPECT_EQ(result.reason, "converged");
+    expect_near(result.T_fixed_moving, T, 5e-6, 5e-6);
+  }
+}
+
+/// 0.1 mm and 0.01 degrees: below anything that a depth camera resolves.
+void expect_agreement(const SE3& a, const SE3& b) { expect_near(a, b, 1e-4, 0.01 * M_PI / 180); }
+
+TEST_P(Solvers, AgreeWithTheOracleAtAFixedLengthScale) {
+  constexpr double kScale = 0.1;
+  RegistrationOptions options = Solvers::options({kScale});
+  // At 1e-3 every pair at the rim of the support may make a maximum of its own: in clouds this
+  // small 0.3 mm from the next. At 1e-6 they are a thousand times closer.
+  options.kernel.sparsification = 1e-6;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const PointCloud fixed = centred_cloud(60, seed);
+    const SE3 T = random_motion(0.01, 0.02, 200 + seed);
+    const PointCloud moving = noisy(transformed(fixed, T.inverse()), 300 + seed);
+    const SE3 oracle = reference_align(fixed, moving, SE3(), options.kernel, kScale);
+    expect_agreement(align(fixed, moving, SE3(), options).T_fixed_moving, oracle);
+  }
+}
+
+TEST_P(Solvers, EndWhereTheOracleStandsStill) {
+  constexpr double kScale = 0.1;
+  const RegistrationOptions options = Solvers::options({kScale});
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const PointCloud fixed = centred_cloud(100, seed);
+    const SE3 T = random_motion(0.01, 0.02, 200 + seed);
+    const PointCloud moving = noisy(transformed(fixed, T.inverse()), 300 + seed);
+    const SE3 found = align(fixed, moving, SE3(), options).T_fixed_moving;
+    expect_agreement(reference_align(fixed, moving, found, options.kernel, kScale), found);
+  }
+}
+
+TEST_P(Solvers, SayThatEqualCloudsAreEqual) {
+  const PointCloud cloud = centred_cloud(150, 1);
+  const auto result = align(cloud, cloud, SE3(), options({0.1, 0.03}));
+  EXPECT_EQ(result.status, RegistrationStatus::kConverged);
+  EXPECT_EQ(result.overlap, 1.0);
+  EXPECT_NEAR(result.cos_theta, 1.0, 1e-6);  // single precision
+  expect_near(result.T_fixed_moving, SE3(), 1e-7, 1e-7);
+}
+
+TEST_P(Solvers, CountPointsWithoutAPartnerInTheOverlap) {
+  const PointCloud fixed = centred_cloud(100, 2);
+  PointCloud moving = fixed;
+  for (std::size_t i = 0; i < 30; ++i) moving.x[i] += 10;
+  const auto result = align(fixed, moving, SE3(), options({0.05}));
+  EXPECT_NEAR(result.overlap, 0.7, 1e-12);
+  EXPECT_GT(result.cos_theta, 0.5);
+  EXPECT_LT(result.cos_theta, 0.8);  // 0.7 but for chance neighbours
+}
+
+TEST_P(Solvers, StopAtTheIterationLimit) {
+  RegistrationOptions options = Solvers::options({0.1, 0.05, 0.03});
+  options.max_iterations = {1};  // it holds for the scales after the first too
+  const PointCloud fixed = centred_cloud(150, 3);
+  const SE3 T = random_motion(0.04, 0.06, 4);
+  const auto result = align(fixed, transformed(fixed, T.inverse()), SE3(), options);
+  EXPECT_EQ(result.status, RegistrationStatus::kIterationLimit);
+  EXPECT_EQ(result.reason, "iteration limit");
+  EXPECT_EQ(result.iterations, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Solvers,
+                         testing::Combine(testing::Values(Solver::kFlow, Solver::kNewton),
+                                          testing::Values(ColorKernel::kLinear,
+                                                          ColorKernel::kSquaredExponential)));
+
+TEST(Registration, InformationIsTheScaledHessianOfARightPerturbation) {
+  constexpr double kScale = 0.3;
+  RegistrationOptions options =
+      exact_options(Solver::kNewton, ColorKernel::kSquaredExponential, {kScale});
+  options.kernel.sparsification = 1e-9;  // smooth, as differentiation needs
+  const PointCloud fixed = random_cloud(60, 5);
+  const SE3 T = random_motion(0.1, 0.2, 6);  // away from the identity, where left and right differ
+  const PointCloud moving = noisy(transformed(fixed, T.inverse()), 7);
+  const auto result = align(fixed, moving, T, options);
+  ASSERT_EQ(result.status, RegistrationStatus::kConverged);
+  ASSERT_EQ(result.overlap, 1.0);
+
+  const auto f = [&](const Vector6& xi) {
+    return reference_objective(fixed, moving, result.T_fixed_moving * SE3::exp(xi), options.kernel,
+                               kScale);
+  };
+  // One measurement a moving point: the mean of their sums of weights counts 1 / ell^2.
+  const double mean_weight = f(Vector6::Zero()) / static_cast<double>(moving.size());
+  constexpr double kStep = 1e-4;
+  Matrix6 numeric;
+  for (int a = 0; a < 6; ++a) {
+    for (int b = 0; b < 6; ++b) {
+      const Vector6 da = kStep * Vector6::Unit(a);
+      const Vector6 db = kStep * Vector6::Unit(b);
+      numeric(a, b) =
+          -(f(da + db) - f(da - db) - f(db - da) + f(-da - db)) / (4 * kStep * kStep * mean_weight);
+    }
+  }
+  EXPECT_LT((result.information - numeric).norm(), 1e-4 * numeric.norm());
+}
+
+TEST(Registration, InformationOfEqualCloudsIsSymmetricAndPositiveDefinite) {
+  const PointCloud cloud = random_cloud(200, 8);
+  const auto result =
+      align(cloud, cloud, SE3(),
+            exact_options(Solver::kNewton, ColorKernel::kSquaredExponential, {0.02}));
+  const Matrix6& information = result.information;
+  EXPECT_LT((information - information.transpose()).norm(), 1e-9 * information.norm());
+  const Eigen::MatrixXd matrix = information;
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().minCoeff(), 0);
+  // Where hardly any point has a neighbour, 200 measurements of 2 cm in each axis.
+  const double expected = 200 / (0.02 * 0.02);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(information(k, k), expected, 0.1 * expected);
+}
+
+TEST(Registration, IsTheSameToTheBitForAnyNumberOfThreads) {
+  const PointCloud fixed = random_cloud(1500, 9);
+  const SE3 T = random_motion(0.03, 0.03, 10);
+  const PointCloud moving = noisy(transformed(fixed, T.inverse()), 11);
+  for (const Solver solver : {Solver::kNewton, Solver::kFlow}) {
+    RegistrationOptions options =
+        exact_options(solver, ColorKernel::kSquaredExponential, {0.05, 0.03});
+    options.max_iterations = {8};
+    const auto run = [&](int threads) {
+      Registration registration(options, threads);
+      registration.set_fixed(fixed);
+      return registration.align(moving, SE3());
+    };
+    const auto one = run(1);
+    for (const int threads : {2, 8}) {
+      const auto many = run(threads);
+      EXPECT_EQ(one.T_fixed_moving.matrix(), many.T_fixed_moving.matrix());
+      EXPECT_EQ(one.information, many.information);
+      EXPECT_EQ(one.objective, many.objective);
+      EXPECT_EQ(one.cos_theta, many.cos_theta);
+      EXPECT_EQ(one.iterations, many.iterations);
+    }
+  }
+}
+
+TEST(Registration, ServesManyMovingCloudsAndForgetsTheLastFixedOne) {
+  const auto options =
+      exact_options(Solver::kNewton, ColorKernel::kSquaredExponential, {0.1, 0.03});
+  Registration registration(options);
+  for (unsigned seed = 20; seed < 23; ++seed) {
+    const PointCloud fixed = centred_cloud(150, seed);
+    registration.set_fixed(fixed);
+    for (unsigned k = 0; k < 2; ++k) {
+      const PointCloud moving =
+          transformed(fixed, random_motion(0.03, 0.03, 10 * seed + k).inverse());
+      const auto reused = registration.align(moving, SE3());
+      const auto fresh = align(fixed, moving, SE3(), options);
+      EXPECT_EQ(reused.T_fixed_moving.matrix(), fresh.T_fixed_moving.matrix());
+      EXPECT_EQ(reused.information, fresh.information);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cvo_slam

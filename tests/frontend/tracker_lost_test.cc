@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Frames that cannot be tracked, and what comes after them.
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cvo_slam/frontend/tracker.h"
+#include "cvo_slam/tests/frontend/synthetic_frames.h"
+#include "cvo_slam/tests/frontend/test_frames.h"
+#include "cvo_slam/tests/frontend/tracker_test_options.h"
+
+namespace cvo_slam {
+namespace {
+
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+
+class LostFrames : public testing::Test {
+ protected:
+  static constexpr double kPixel = 1 / 262.5;  // [rad]
+  /// Halfway round the room: another wall.
+  static constexpr std::size_t kElsewhere = 150;
+
+  FrameRecord track(std::size_t index) { return tracker_.track(frames_.frame(index)); }
+
+  /// What the tracker answers to frame `index` after `change` to it.
+  FrameRecord track_changed(std::size_t index, const std::function<void(RgbdFrame&)>& change) {
+    RgbdFrame frame = frames_.frame(index);
+    change(frame);
+    return tracker_.track(frame);
+  }
+
+  static void expect_lost(const FrameRecord& record, const std::string& reason) {
+    EXPECT_EQ(record.status, TrackingStatus::kLost);
+    EXPECT_THAT(record.reason, HasSubstr(reason));
+    EXPECT_EQ(record.keyframe_reason, "");
+  }
+
+  void expect_tracked(const FrameRecord& record) const {
+    EXPECT_EQ(record.status, TrackingStatus::kTracked) << record.reason;
+    const SE3 error = frames_.T_first_camera(0, record.index).inverse() * record.T_world_camera;
+    EXPECT_LT(error.translation().norm(), 2 * kPixel);  // at the 2 m of the room's walls
+    EXPECT_LT(error.angle(), kPixel);
+  }
+
+  void use(const TrackerOptions& options) { tracker_ = Tracker(frames_.camera(), options); }
+
+  SyntheticFrames frames_{small_camera(320, 240)};
+  TrackerOptions options_ = tracker_test_options();
+  Tracker tracker_{frames_.camera(), options_};
+};
+
+TEST_F(LostFrames, BadImagesAreLostWithAReasonAndTrackingGoesOn) {
+  expect_tracked(track(0));
+  expect_lost(track_changed(1, [](auto& f) { f.problem = "rgb/1.png: cannot be read"; }),
+              "rgb/1.png: cannot be read");
+  expect_lost(track_changed(2, [](auto& f) { f.color = cv::Mat(); }), "colour image is empty");
+  expect_lost(track_changed(2, [](auto& f) { f.depth = cv::Mat(); }), "depth image is empty");
+  expect_tracked(track(2));
+  expect_lost(track_changed(3, [](auto& f) { f.color = f.color.colRange(0, 300).clone(); }),
+              "300x240");
+  expect_lost(track_changed(3, [](auto& f) { f.depth.convertTo(f.depth, CV_32F); }), "16 bits");
+  expect_lost(track_changed(3, [](auto& f) { f.color.convertTo(f.color, CV_32F); }), "8 bits");
+  expect_tracked(track(3));
+}
+
+TEST_F(LostFrames, ImagesWithoutPointsAreLost) {
+  expect_tracked(track(0));
+  const std::string reason = "only 0 points with gradient and depth";
+  expect_lost(track_changed(1, [](auto& f) { f.depth.setTo(0); }), reason);
+  expect_lost(track_changed(2, [](auto& f) { f.color.setTo(cv::Scalar::all(90)); }), reason);
+  expect_tracked(track(3));
+  // Not everything is gone: a hand in front of the camera leaves a corner.
+  const auto record = track_changed(4, [](auto& f) { f.depth.colRange(20, 320).setTo(0); });
+  expect_lost(record, "points with gradient and depth");
+  EXPECT_GT(record.points, 0U);
+  expect_tracked(track(5));
+}
+
+TEST_F(LostFrames, BadImagesBeforeTheFirstGoodOneStartNothing) {
+  expect_lost(track_changed(0, [](auto& f) { f.depth.setTo(0); }), "points");
+  expect_lost(track_changed(0, [](auto& f) { f.color.release(); }), "empty");
+  const FrameRecord record = track(1);
+  EXPECT_EQ(record.status, TrackingStatus::kTracked);
+  EXPECT_EQ(record.T_world_camera.matrix(), SE3().matrix());
+  EXPECT_EQ(record.segment, 0);
+}
+
+TEST_F(LostFrames, StampsMustAscend) {
+  expect_tracked(track(0));
+  expect_tracked(track(2));
+  expect_lost(track(1), "its stamp is not after the stamp 100.066667 of the frame before it");
+  expect_lost(track(2), "its stamp is not after");
+  expect_tracked(track(3));
+}
+
+TEST_F(LostFrames, AJumpToAnotherPlaceIsLostAndTheWayBackIsFound) {
+  expect_tracked(track(0));
+  expect_tracked(track(1));
+  const FrameRecord record = tracker_.track(frames_.frame(2, kElsewhere));
+  EXPECT_EQ(record.status, TrackingStatus::kLost);
+  EXPECT_THAT(record.reason,
+              AnyOf(HasSubstr("overlap"), HasSubstr("cos_theta"), HasSubstr("speed")));
+  expect_tracked(track(3));
+}
+
+TEST_F(LostFrames, AMotionTooFastForAHandIsNotBelieved) {
+  const double second = 1.0 / 30;
+  const SE3 motion = frames_.T_first_camera(0, 3);
+  options_.lost.max_speed = 0.5 * motion.translation().norm() / second;
+  use(options_);
+  expect_tracked(track(0));
+  expect_lost(tracker_.track(frames_.frame(1, 3)), "m/s is above");
+  options_.lost.max_speed = 1000;
+  options_.lost.max_angular_speed = 0.5 * motion.angle() / second;
+  use(options_);
+  expect_tracked(track(0));
+  expect_lost(tracker_.track(frames_.frame(1, 3)), "rad/s is above");
+}
+
+TEST_F(LostFrames, AResultThatIsNotLikeTheKeyframeIsNotBelieved) {
+  options_.lost.min_overlap = 1;
+  use(options_);
+  expect_tracked(track(0));
+  expect_lost(track(5), "overlap 0.");
+  options_.lost.min_overlap = 0;
+  options_.lost.min_cos_theta = 1;
+  use(options_);
+  expect_tracked(track(0));
+  expect_lost(track(5), "cos_theta 0.");
+}
+
+TEST_F(LostFrames, ANewSegmentStartsAfterTooManyInARow) {
+  options_.lost.restart_after = 3;
+  use(options_);
+  std::vector<FrameRecord> records;
+  for (std::size_t i = 0; i < 2; ++i) records.push_back(track(i));
+  for (std::size_t i = 2; i < 9; ++i) {
+    records.push_back(tracker_.track(frames_.frame(i, kElsewhere + i)));
+  }
+  for (const std::size_t i : {2U, 3U}) {
+    EXPECT_EQ(records[i].status, TrackingStatus::kLost) << i;
+    EXPECT_EQ(records[i].segment, 0);
+  }
+  for (std::size_t i = 4; i < 9; ++i) {
+    EXPECT_EQ(records[i].status, TrackingStatus::kTracked) << records[i].reason;
+    EXPECT_EQ(records[i].segment, 1);
+    EXPECT_EQ(records[i].reason, "");
+    // From the last known pose onwards, relative to the segment's first frame.
+    const SE3 moved =
+        records[1].T_world_camera * frames_.T_first_camera(kElsewhere + 4, kElsewhere + i);
+    EXPECT_LT((moved.inverse() * records[i].T_world_camera).translation().norm(), 2 * kPixel);
+  }
+  EXPECT_EQ(records[4].keyframe, 4U);
+  EXPECT_EQ(records[4].keyframe_reason, "start of a segment");
+
+  // Five frames against two: the second segment is the trajectory.
+  const Trajectory trajectory = to_trajectory(records);
+  ASSERT_EQ(trajectory.poses.size(), 5U);
+  EXPECT_EQ(trajectory.poses.front().stamp, records[4].stamp);
+  ASSERT_EQ(trajectory.lost.size(), 4U);
+  EXPECT_THAT(trajectory.lost[0].reason, HasSubstr("segment 0 is not connected"));
+  EXPECT_EQ(trajectory.lost[2].reason, records[2].reason);
+}
+
+TEST_F(LostFrames, LossesThatAreNotInARowDoNotRestart) {
+  options_.lost.restart_after = 2;
+  use(options_);
+  expect_tracked(track(0));
+  for (std::size_t i = 1; i < 6; i += 2) {
+    EXPECT_EQ(tracker_.track(frames_.frame(i, kElsewhere)).status, TrackingStatus::kLost);
+    const FrameRecord record = track(i + 1);
+    expect_tracked(record);
+    EXPECT_EQ(record.segment, 0);
+  }
+}
+
+TEST(ToTrajectory, OfNothingIsEmpty) {
+  const Trajectory trajectory = to_trajectory({});
+  EXPECT_TRUE(trajectory.poses.empty());
+  EXPECT_TRUE(trajectory.lost.empty());
+}
+
+TEST(ToTrajectory, OfLostFramesHasNoPose) {
+  FrameRecord record;
+  record.reason = "dark";
+  record.stamp = Timestamp(5);
+  const Trajectory trajectory = to_trajectory({record});
+  EXPECT_TRUE(trajectory.poses.empty());
+  ASSERT_EQ(trajectory.lost.size(), 1U);
+  EXPECT_EQ(trajectory.lost[0].stamp, Timestamp(5));
+  EXPECT_EQ(trajectory.lost[0].reason, "dark");
+}
+
+TEST(ToTrajectory, OfTwoSegmentsOfOneLengthKeepsTheFirst) {
+  std::vector<FrameRecord> records(4);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    records[i].stamp = Timestamp(static_cast<std::int64_t>(i));
+    records[i].status = TrackingStatus::kTracked;
+    records[i].segment = i < 2 ? 0 : 1;
+  }
+  const Trajectory trajectory = to_trajectory(records);
+  ASSERT_EQ(trajectory.poses.size(), 2U);
+  EXPECT_EQ(trajectory.poses[0].stamp, Timestamp(0));
+  ASSERT_EQ(trajectory.lost.size(), 2U);
+  EXPECT_EQ(trajectory.lost[0].reason, "segment 1 is not connected to the trajectory's segment 0");
+}
+
+}  // namespace
+}  // namespace cvo_slam
