@@ -23,6 +23,7 @@ enum ExitCode : int {
 // Each add_<name>_command() declares one subcommand and its options on `app`; `action` is set when
 // the command line names it.
 
+void add_bench_command(CLI::App& app, Action& action);
 void add_eval_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_synth_command(CLI::App& app, Action& action);
