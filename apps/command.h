@@ -23,10 +23,11 @@ enum ExitCode : int {
 // Each add_<name>_command() declares one subcommand and its options on `app`; `action` is set when
 // the command line names it.
 
-void add_bench_command(CLI::App& app, Action& action);
+void add_run_command(CLI::App& app, Action& action);
 void add_eval_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_synth_command(CLI::App& app, Action& action);
+void add_bench_command(CLI::App& app, Action& action);
 
 /// All of them, in the order of the help page.
 void add_commands(CLI::App& app, Action& action);

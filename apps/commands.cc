@@ -5,10 +5,11 @@
 namespace cvo_slam {
 
 void add_commands(CLI::App& app, Action& action) {
-  add_bench_command(app, action);
+  add_run_command(app, action);
   add_eval_command(app, action);
   add_info_command(app, action);
   add_synth_command(app, action);
+  add_bench_command(app, action);
 }
 
 }  // namespace cvo_slam

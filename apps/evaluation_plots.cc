@@ -40,4 +40,9 @@ void write_evaluation_plots(const std::filesystem::path& folder,
   write_figure(folder / "errors", error_figure(curves_of(report)));
 }
 
+void write_trajectory_plot(const std::filesystem::path& folder,
+                           const std::vector<StampedPose>& estimate) {
+  write_figure(folder / "trajectory", trajectory_figure({}, estimate));
+}
+
 }  // namespace cvo_slam

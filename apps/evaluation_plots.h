@@ -17,4 +17,8 @@ void write_evaluation_plots(const std::filesystem::path& folder,
                             const std::vector<StampedPose>& estimate,
                             const EvaluationReport& report);
 
+/// Writes trajectory.{png,svg} of an estimate without a reference. Throws OutputError.
+void write_trajectory_plot(const std::filesystem::path& folder,
+                           const std::vector<StampedPose>& estimate);
+
 }  // namespace cvo_slam

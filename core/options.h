@@ -53,7 +53,9 @@ class OptionSet {
   /// All options of a nested struct, their keys prefixed by "prefix.".
   OptionSet& add(const std::string& prefix, const OptionSet& nested);
 
-  [[nodiscard]] const std::vector<Option>& options() const { return options_; }
+  [[nodiscard]] const std::vector<Option>& options() const& { return options_; }
+  /// Of a temporary set by value, so that `for (... : describe(x).options())` does not dangle.
+  [[nodiscard]] std::vector<Option> options() && { return std::move(options_); }
   [[nodiscard]] std::string get(std::string_view key) const;
   /// Throws OptionError for an unknown key (the message names the nearest one) or a bad value.
   void set(std::string_view key, std::string_view text) const;

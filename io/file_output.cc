@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output_internal.h"
+#include "cvo_slam/io/file_output.h"
 
 namespace cvo_slam {
 

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output_internal.h"
+#include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/plot/draw_figure_internal.h"
 #include "cvo_slam/io/plot/plot_file.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/io/file_output_internal.h"
+#include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/plot/draw_figure_internal.h"
 #include "cvo_slam/io/plot/plot_file.h"
 

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/odometry_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/apps/progress.h"
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+namespace {
+
+volatile std::sig_atomic_t interrupt_requested = 0;
+
+/// Turns SIGINT into a flag for as long as it lives; a second one ends the program at once.
+class InterruptGuard {
+ public:
+  InterruptGuard() {
+    interrupt_requested = 0;
+    previous_ = std::signal(SIGINT, [](int) {
+      interrupt_requested = 1;
+      std::signal(SIGINT, SIG_DFL);
+    });
+  }
+  ~InterruptGuard() { std::signal(SIGINT, previous_); }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  [[nodiscard]] static bool requested() { return interrupt_requested != 0; }
+
+ private:
+  void (*previous_)(int);
+};
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double process_cpu_seconds() {
+  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+}  // namespace
+
+double OdometryRun::lost_share() const {
+  if (records.empty()) return 0;
+  const Trajectory trajectory = to_trajectory(records);
+  return static_cast<double>(trajectory.lost.size()) / static_cast<double>(records.size());
+}
+
+std::size_t OdometryRun::keyframes() const {
+  return static_cast<std::size_t>(
+      std::count_if(records.begin(), records.end(),
+                    [](const FrameRecord& record) { return !record.keyframe_reason.empty(); }));
+}
+
+double OdometryRun::fps() const {
+  return seconds > 0 ? static_cast<double>(records.size()) / seconds : 0;
+}
+
+OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
+                         const TrackerOptions& options, bool quiet) {
+  Tracker tracker(data.camera(), options);
+  Progress progress(range.end - range.begin, quiet);
+  const InterruptGuard interrupt;
+  OdometryRun run;
+  const auto start = Clock::now();
+  const double cpu_start = process_cpu_seconds();
+  for (std::size_t i = range.begin; i < range.end && !InterruptGuard::requested(); ++i) {
+    const auto read_start = Clock::now();
+    const RgbdFrame frame = data.read(i);
+    const auto track_start = Clock::now();
+    run.costs.push_back(
+        {std::chrono::duration<double, std::milli>(track_start - read_start).count(), 0});
+    run.records.push_back(tracker.track(frame));
+    run.costs.back().track_ms = milliseconds_since(track_start);
+    progress.update(i + 1 - range.begin,
+                    run.records.back().status == TrackingStatus::kTracked ? "tracked" : "lost");
+  }
+  run.seconds = milliseconds_since(start) / 1e3;
+  run.cpu_seconds = process_cpu_seconds() - cpu_start;
+  run.interrupted = InterruptGuard::requested();
+  return run;
+}
+
+std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajectory& trajectory,
+                                             std::vector<std::string>& notes) {
+  if (data.reference().empty()) {
+    notes.emplace_back("no errors: the sequence has no ground truth");
+    return std::nullopt;
+  }
+  try {
+    return evaluate(data.reference(), trajectory.poses);
+  } catch (const DataError& error) {
+    notes.push_back(fmt::format("no errors: {}", error.what()));
+    return std::nullopt;
+  }
+}
+
+}  // namespace cvo_slam

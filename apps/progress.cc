@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/progress.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace cvo_slam {
+
+Progress::Progress(std::size_t total, bool quiet)
+    : total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void Progress::update(std::size_t done, const std::string& state) {
+  if (quiet_) return;
+  if (terminal_) {
+    draw_bar(done, state);
+  } else {
+    print_line(done, state);
+  }
+}
+
+std::string Progress::speed(std::size_t done) const {
+  const std::chrono::duration<double> elapsed = Clock::now() - start_;
+  const double fps = static_cast<double>(done) / elapsed.count();
+  return fmt::format("{:.1f} fps, ETA {:.0f} s", fps, static_cast<double>(total_ - done) / fps);
+}
+
+void Progress::draw_bar(std::size_t done, const std::string& state) {
+  constexpr std::size_t kWidth = 30;
+  constexpr std::chrono::milliseconds kInterval(100);  // redrawing at each frame would cost time
+  const auto now = Clock::now();
+  if (done < total_ && now - last_drawn_ < kInterval) return;
+  last_drawn_ = now;
+  const std::size_t filled = kWidth * done / total_;
+  fmt::print(stderr, "\r\x1b[K[{:#<{}}{:.<{}}] {}/{}  {}  {}{}", "", filled, "", kWidth - filled,
+             done, total_, speed(done), state, done == total_ ? "\n" : "");
+  std::fflush(stderr);
+}
+
+void Progress::print_line(std::size_t done, const std::string& state) {
+  const std::size_t tenths = 10 * done / total_;
+  if (tenths == tenths_) return;
+  tenths_ = tenths;
+  fmt::print(stderr, "frame {}/{}  {}  {}\n", done, total_, speed(done), state);
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/odometry_run.h"
+#include "cvo_slam/apps/run_report.h"
+#include "cvo_slam/apps/tracking_arguments.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/options_file.h"
+#include "cvo_slam/io/tum_trajectory.h"
+
+namespace cvo_slam {
+namespace {
+
+struct RunArguments {
+  TrackingArguments tracking;
+  std::string mode = "odometry";
+  std::filesystem::path out;
+  double max_lost = 0.05;
+  bool quiet = false;
+  bool json = false;
+  bool dump_config = false;
+};
+
+/// results/<sequence>/<time>, with a link `latest` beside it.
+std::filesystem::path default_folder(const std::string& sequence) {
+  const auto parent = std::filesystem::path("results") / sequence;
+  const auto name = fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::localtime(std::time(nullptr)));
+  std::error_code error;
+  std::filesystem::create_directories(parent / name, error);
+  const auto link = parent / "latest";
+  // Where a user put a file of that name, it stays.
+  if (std::filesystem::is_symlink(link)) std::filesystem::remove(link, error);
+  std::filesystem::create_directory_symlink(name, link, error);
+  return parent / name;
+}
+
+/// Makes the folder and proves that it can be written to, before hours of work go into it.
+void prepare_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError(folder, "cannot be made a folder: " + error.message());
+  write_tum(folder / "trajectory.txt", {});
+}
+
+int run(const RunArguments& arguments) {
+  ProgramOptions options = arguments.tracking.options();
+  if (arguments.dump_config) {
+    fmt::print("{}", options_to_yaml(describe(options), true));
+    return kDone;
+  }
+  const auto data = arguments.tracking.open();
+  const FrameRange range = arguments.tracking.range(data->size());
+  const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
+  prepare_folder(folder);
+
+  RunReport report{*data, range, options, {}, {}, std::nullopt, data->notes()};
+  report.run = run_odometry(*data, range, options.tracker, arguments.quiet);
+  report.trajectory = to_trajectory(report.run.records);
+  report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
+  write_run(folder, report);
+
+  if (arguments.json) {
+    fmt::print("{}\n", to_json(report).dump(2));
+  } else if (!arguments.quiet) {
+    fmt::print("{}{:<12} {}\n", to_table(report), "files", folder.string());
+  }
+  if (report.run.interrupted) return kInterrupted;
+  return report.run.lost_share() > arguments.max_lost ? kTrackingLost : kDone;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Action& action) {
+  const auto arguments = std::make_shared<RunArguments>();
+  auto* command =
+      app.add_subcommand("run", "Track a sequence; write trajectory, figures and plots");
+  arguments->tracking.add_to(*command);
+  command->add_option("--mode", arguments->mode, "odometry = the tracker alone")
+      ->check(CLI::IsMember({"odometry"}))
+      ->capture_default_str();
+  command->add_option("--out", arguments->out,
+                      "Folder for the files (default results/<sequence>/<time>, linked as latest)");
+  command
+      ->add_option("--max-lost", arguments->max_lost,
+                   "Share of lost frames above which the exit code is 3")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_flag("--dump-config", arguments->dump_config,
+                    "Print the effective options as YAML with their documentation, and end");
+  command->add_flag("--quiet", arguments->quiet, "No progress, no table");
+  command->add_flag("--json", arguments->json, "Print the report as JSON in place of the table");
+  command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/run_report.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "cvo_slam/apps/evaluation_plots.h"
+#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/io/options_file.h"
+#include "cvo_slam/io/tum_trajectory.h"
+
+namespace cvo_slam {
+namespace {
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts kibibytes
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double median_cost(const OdometryRun& run, double FrameCost::*cost) {
+  std::vector<double> values;
+  for (const auto& frame : run.costs) values.push_back(frame.*cost);
+  return median(values);
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+/// What track() answered at the time, of all segments.
+Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
+  Trajectory trajectory;
+  for (const auto& record : records) {
+    if (record.status == TrackingStatus::kTracked) {
+      trajectory.poses.push_back({record.stamp, record.T_world_camera});
+    } else {
+      trajectory.lost.push_back({record.stamp, record.reason});
+    }
+  }
+  return trajectory;
+}
+
+nlohmann::ordered_json options_json(ProgramOptions options) {
+  nlohmann::ordered_json json;
+  for (const auto& option : describe(options).options()) json[option.key] = option.get();
+  return json;
+}
+
+std::string error_rows(const EvaluationReport& evaluation) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  std::string rows;
+  if (evaluation.ate) {
+    rows += fmt::format("{:<12} {:.4f} m after {} alignment, {} poses\n", "ATE",
+                        evaluation.ate->statistics.translation.rmse, "se3", evaluation.matches);
+  }
+  for (const auto& relative : evaluation.relative) {
+    if (!relative.error) continue;
+    const auto& statistics = relative.error->statistics;
+    rows += fmt::format("{:<12} {:.1f} mm, {:.2f} deg\n", label_of(relative.options),
+                        1e3 * statistics.translation.rmse, kDegrees * statistics.rotation.rmse);
+  }
+  return rows;
+}
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const RunReport& report) {
+  const OdometryRun& run = report.run;
+  nlohmann::ordered_json json = {
+      {"sequence", report.data.name()},
+      {"kind", report.data.kind()},
+      {"camera", report.data.camera().name},
+      {"mode", "odometry"},
+      {"version", CVO_SLAM_VERSION},
+      {"interrupted", run.interrupted},
+      {"frames",
+       {{"first", report.range.begin},
+        {"end", report.range.end},
+        {"processed", run.records.size()},
+        {"tracked", report.trajectory.poses.size()},
+        {"lost", report.trajectory.lost.size()},
+        {"keyframes", run.keyframes()}}},
+      {"unpaired",
+       {{"color", report.data.unpaired().color}, {"depth", report.data.unpaired().depth}}},
+      {"path_m", path_length(report.trajectory.poses)},
+      {"cost",
+       {{"fps", run.fps()},
+        {"wall_s", run.seconds},
+        {"cpu_s", run.cpu_seconds},
+        {"read_ms_median", median_cost(run, &FrameCost::read_ms)},
+        {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
+        {"peak_memory_mb", peak_memory_mb()}}}};
+  json["evaluation"] = report.evaluation ? to_json(*report.evaluation) : nullptr;
+  json["notes"] = report.notes;
+  json["options"] = options_json(report.options);
+  return json;
+}
+
+std::string to_table(const RunReport& report) {
+  const OdometryRun& run = report.run;
+  std::string table =
+      fmt::format("{:<12} {} ({})\n", "sequence", report.data.name(), report.data.kind());
+  if (report.evaluation) table += error_rows(*report.evaluation);
+  table += fmt::format("{:<12} {:.2f} m\n", "path", path_length(report.trajectory.poses));
+  table += fmt::format("{:<12} {:.1f} fps; read {:.1f} ms, track {:.1f} ms a frame (median)\n",
+                       "speed", run.fps(), median_cost(run, &FrameCost::read_ms),
+                       median_cost(run, &FrameCost::track_ms));
+  table += fmt::format("{:<12} {:.1f} % ({} of {} frames)\n", "lost", 100 * run.lost_share(),
+                       report.trajectory.lost.size(), run.records.size());
+  table += fmt::format("{:<12} {}\n", "keyframes", run.keyframes());
+  table += fmt::format("{:<12} {:.0f} MB\n", "peak memory", peak_memory_mb());
+  for (const auto& note : report.notes) table += fmt::format("{:<12} {}\n", "note", note);
+  return table;
+}
+
+std::string frames_csv(const OdometryRun& run) {
+  std::string csv =
+      "index,stamp,status,reason,segment,keyframe,keyframe_reason,points,overlap,cos_theta,"
+      "iterations,read_ms,track_ms\n";
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const FrameRecord& r = run.records[i];
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{:.3f},{:.3f}\n", r.index,
+                    r.stamp.to_string(), r.status == TrackingStatus::kTracked ? "tracked" : "lost",
+                    quoted(r.reason), r.segment, r.keyframe, quoted(r.keyframe_reason), r.points,
+                    r.registration.overlap, r.registration.cos_theta, r.registration.iterations,
+                    run.costs[i].read_ms, run.costs[i].track_ms);
+  }
+  return csv;
+}
+
+void write_run(const std::filesystem::path& folder, const RunReport& report) {
+  write_tum(folder / "trajectory.txt", report.trajectory);
+  write_tum(folder / "trajectory_online.txt", online_trajectory(report.run.records));
+  write_file(folder / "frames.csv", frames_csv(report.run));
+  ProgramOptions options = report.options;
+  write_file(folder / "config.yaml", options_to_yaml(describe(options), true));
+  write_file(folder / "report.json", to_json(report).dump(2) + "\n");
+  if (report.evaluation) {
+    write_evaluation_plots(folder, report.data.reference(), report.trajectory.poses,
+                           *report.evaluation);
+  } else {
+    write_trajectory_plot(folder, report.trajectory.poses);
+  }
+}
+
+}  // namespace cvo_slam

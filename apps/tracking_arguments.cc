@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/tracking_arguments.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/camera_file.h"
+#include "cvo_slam/io/options_file.h"
+
+namespace cvo_slam {
+namespace {
+
+void apply_setting(const OptionSet& options, const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) {
+    throw OptionError(fmt::format("--set {} must be key=value, e.g. tracker.points=2000", setting));
+  }
+  options.set(setting.substr(0, equals), setting.substr(equals + 1));
+}
+
+/// One end of a range; `otherwise` where the text is empty.
+std::optional<std::size_t> parse_end(std::string_view text, std::size_t otherwise) {
+  if (text.empty()) return otherwise;
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+OptionSet describe(ProgramOptions& o) { return OptionSet().add("tracker", describe(o.tracker)); }
+
+void TrackingArguments::add_to(CLI::App& command) {
+  command.add_option("dataset", dataset, "Folder of a sequence: TUM RGB-D, ICL-NUIM or 7-Scenes");
+  command.add_option("--camera", camera,
+                     "Camera file, or name of a built-in camera (default: the sequence's own)");
+  command.add_option("--frames", frames, "Only frames a to b-1, as a:b, a: or :b");
+  command.add_option("--preset", preset, "Options to start from; paper = the CVO paper's protocol")
+      ->check(CLI::IsMember({"paper"}));
+  command.add_option("--config", config, "YAML file of options; see --dump-config of run");
+  command.add_option("--set", settings, "An option, as key=value; may be repeated")
+      ->allow_extra_args(false);
+  command.add_option("--threads", threads, "Threads of a registration; does not change the result")
+      ->check(CLI::Range(1, 1024));
+}
+
+std::unique_ptr<Dataset> TrackingArguments::open() const {
+  if (dataset.empty()) throw OptionError("no dataset given: name the folder of a sequence");
+  DatasetOptions dataset_options;
+  if (!camera.empty()) dataset_options.camera = find_camera(camera);
+  return open_dataset(dataset, dataset_options);
+}
+
+ProgramOptions TrackingArguments::options() const {
+  ProgramOptions result;
+  if (preset == "paper") result.tracker = paper_options();
+  const OptionSet set = describe(result);
+  if (!config.empty()) read_options(config, set);
+  for (const auto& setting : settings) apply_setting(set, setting);
+  if (threads) result.tracker.threads = *threads;
+  return result;
+}
+
+FrameRange TrackingArguments::range(std::size_t size) const {
+  if (frames.empty()) return {0, size};
+  const std::string_view text = frames;
+  const std::size_t colon = text.find(':');
+  const auto begin = parse_end(text.substr(0, colon), 0);
+  const auto end =
+      colon == std::string_view::npos ? std::nullopt : parse_end(text.substr(colon + 1), size);
+  if (!begin || !end) {
+    throw OptionError(fmt::format("--frames {} must be a:b, a: or :b, e.g. 0:100", frames));
+  }
+  const FrameRange range{*begin, std::min(*end, size)};
+  if (range.begin >= range.end) {
+    throw OptionError(fmt::format("--frames {} holds no frame; the sequence has frames 0 to {}",
+                                  frames, size - 1));
+  }
+  return range;
+}
+
+}  // namespace cvo_slam
