@@ -38,7 +38,7 @@ struct Entry {
 };
 
 Entry opencv_entry(const std::string& name, const std::string& type, OpencvMethod method) {
-  return {name, "cv::rgbd::" + type + ", frame to frame",
+  return {name, "cv::rgbd::" + type + ", frame to frame, on undistorted images",
           [method](const Camera& camera, const TrackerOptions&) {
             return make_opencv_odometry(method, camera);
           }};

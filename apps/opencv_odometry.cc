@@ -9,7 +9,6 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/rgbd.hpp>
 
-#include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/point_selection.h"
 
 namespace cvo_slam {
@@ -31,7 +30,7 @@ cv::Ptr<cv::rgbd::Odometry> make_odometry(OpencvMethod method, const PinholeCame
     case OpencvMethod::kIcp:
       return cv::rgbd::ICPOdometry::create(K);
   }
-  throw OptionError("unknown odometry of OpenCV");
+  return nullptr;
 }
 
 /// Makes of a frame what OpenCV's odometries expect: grey levels, and depth in metres with NaN for

@@ -28,6 +28,7 @@ draft=build/bench/benchmarks.md
 # The figures of one sequence, with the command that gives them; $2 is how people write its path.
 compare() {
   echo "run_benchmarks.sh: $1" >&2
+  # shellcheck disable=SC2016  # Markdown's quotes
   printf '\n## %s\n\n```\ncvo_slam bench odometry %s%s\n```\n\n' \
     "$1" "$2" "${arguments:+ $arguments}" >> "$draft"
   # shellcheck disable=SC2086  # several arguments
@@ -65,11 +66,9 @@ by frame, and every decoded frame is handed to every system in the same process.
 END
 describe_machine >> "$draft"
 
-if [ ! -f "$room/groundtruth.txt" ]; then
-  "$program" synth room "$room" >&2
-fi
 compare_recorded "TUM RGB-D fr1/rpy" tum/rgbd_dataset_freiburg1_rpy
 compare_recorded "7-Scenes seq-01" 7scenes/seq-01
+"$program" synth room "$room" >&2
 compare "Synthetic room" "$room" "$room"
 
 # Only a whole page takes the place of the last one.
