@@ -5,7 +5,7 @@
 # run_benchmarks.sh [output file]
 #
 # Compares ours with the CVO paper's protocol and OpenCV's odometries on full sequences and writes
-# docs/benchmarks.md (`make eval`). Takes about half an hour, almost all of it the paper's protocol.
+# docs/benchmarks.md (`make eval`). Takes about an hour, almost all of it the paper's protocol.
 #
 #   CVO_SLAM_DATA     folder of the recorded sequences (default: ../shared/data beside the checkout);
 #                     one that is not there is left out, and the page says so
