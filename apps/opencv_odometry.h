@@ -15,8 +15,9 @@ enum class OpencvMethod {
 };
 
 /// OpenCV's odometry with its default options, each frame registered to the frame before it. Images
-/// are undistorted first, because these methods know a pinhole camera only. Null where OpenCV was
-/// built without its contrib module rgbd.
+/// are undistorted first: these methods know a pinhole camera only, and are better for it (ATE on
+/// TUM fr1/rpy, raw and undistorted: RgbdICPOdometry 54 and 51 mm, ICPOdometry 70 and 54 mm). Null
+/// where OpenCV was built without its contrib module rgbd.
 [[nodiscard]] std::unique_ptr<OdometrySystem> make_opencv_odometry(OpencvMethod method,
                                                                    const Camera& camera);
 

@@ -54,8 +54,8 @@ TEST_F(BenchCommand, ComparesAllSystemsOnAllFrames) {
     EXPECT_EQ(system["lost"], 0);
     EXPECT_GT(system["cpu_ms"]["median"], 0);
     EXPECT_EQ(system["evaluation"]["matches"], 6);
-    // A motion taken in the wrong direction would give twice the step.
-    EXPECT_LT(system["evaluation"]["rpe"][1]["error"]["translation_m"]["rmse"], 0.5 * step);
+    // A motion taken in the wrong direction gives twice the step.
+    EXPECT_LT(system["evaluation"]["rpe"][1]["error"]["translation_m"]["rmse"], step);
   }
   EXPECT_EQ(names, odometry_system_names());
 }
