@@ -59,8 +59,9 @@ struct Clouds {
 
 void select_points_of_a_frame(benchmark::State& state) {
   const int count = static_cast<int>(state.range(0));
+  const RgbdFrame& frame = frames().moving;  // made before the clock runs
   for (auto _ : state) {
-    benchmark::DoNotOptimize(select_points(frames().moving, camera(), count));
+    benchmark::DoNotOptimize(select_points(frame, camera(), count));
   }
 }
 BENCHMARK(select_points_of_a_frame)
