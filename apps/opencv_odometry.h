@@ -15,9 +15,10 @@ enum class OpencvMethod {
 };
 
 /// OpenCV's odometry with its default options, each frame registered to the frame before it. Images
-/// are undistorted first: these methods know a pinhole camera only, and are better for it (ATE on
-/// TUM fr1/rpy, raw and undistorted: RgbdICPOdometry 54 and 51 mm, ICPOdometry 70 and 54 mm). Null
-/// where OpenCV was built without its contrib module rgbd.
+/// are undistorted first, because these methods know a pinhole camera only. On TUM fr1/rpy that
+/// helps two of them and leaves the third (ATE raw and undistorted: RgbdICPOdometry 54 and 51 mm,
+/// ICPOdometry 70 and 54 mm, RgbdOdometry 56 and 56 mm, with one and two pairs lost).
+/// Null where OpenCV was built without its contrib module rgbd.
 [[nodiscard]] std::unique_ptr<OdometrySystem> make_opencv_odometry(OpencvMethod method,
                                                                    const Camera& camera);
 

@@ -17,8 +17,8 @@ program=build/release/cvo_slam
 page=${1:-docs/benchmarks.md}
 data=${CVO_SLAM_DATA:-../shared/data}
 arguments=${BENCH_ARGUMENTS:-}
-room=build/bench/room
-draft=build/bench/benchmarks.md
+room=build/eval/room
+draft=build/eval/benchmarks.md
 
 [ -x "$program" ] || {
   echo "run_benchmarks.sh: $program is not built; run 'make build' first" >&2
