@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <opencv2/core/utility.hpp>
+
+#include "cvo_slam/apps/benchmark_report.h"
+#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/odometry_benchmark.h"
+#include "cvo_slam/apps/odometry_system.h"
+#include "cvo_slam/apps/progress.h"
+#include "cvo_slam/apps/tracking_arguments.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/tum_trajectory.h"
+
+namespace cvo_slam {
+namespace {
+
+struct BenchArguments {
+  TrackingArguments tracking;
+  std::vector<std::string> systems = odometry_system_names();
+  std::filesystem::path out;
+  bool quiet = false;
+  bool json = false;
+};
+
+TrackerOptions tracker_options(const TrackingArguments& arguments) {
+  const TrackerOptions options = arguments.options().tracker;
+  if (options.threads != 1) {
+    throw OptionError("bench odometry compares single threads: leave out --threads");
+  }
+  return options;
+}
+
+/// Made before the work, so that an unusable folder is known at once.
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError(folder, "cannot be made a folder: " + error.message());
+}
+
+void write_trajectories(const std::filesystem::path& folder, const OdometryBenchmark& benchmark) {
+  for (const auto& result : benchmark.results) {
+    if (result.built_in) write_tum(folder / (result.name + ".txt"), {result.poses, {}});
+  }
+}
+
+int bench_odometry(const BenchArguments& arguments) {
+  const TrackerOptions options = tracker_options(arguments.tracking);
+  const auto data = arguments.tracking.open();
+  const FrameRange frames = arguments.tracking.range(data->size());
+  const auto contestants = make_contestants(arguments.systems, data->camera(), options);
+  if (!arguments.out.empty()) make_folder(arguments.out);
+
+  cv::setNumThreads(1);  // for the whole process, which is this program's own
+  Progress progress(frames.end - frames.begin, arguments.quiet);
+  const auto benchmark =
+      run_odometry_benchmark(*data, frames, contestants,
+                             [&](std::size_t done, std::size_t) { progress.update(done, ""); });
+  if (!arguments.out.empty()) write_trajectories(arguments.out, benchmark);
+  fmt::print(
+      "{}", arguments.json ? to_json(*data, benchmark).dump(2) + "\n" : to_table(*data, benchmark));
+  return kDone;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, Action& action) {
+  auto* bench = app.add_subcommand("bench", "Comparisons with other systems");
+  bench->require_subcommand(1);
+  const auto arguments = std::make_shared<BenchArguments>();
+  auto* command = bench->add_subcommand(
+      "odometry", "Accuracy and CPU time of ours and of OpenCV's odometries on the same frames");
+  arguments->tracking.add_to(*command);
+  command
+      ->add_option("--systems", arguments->systems,
+                   fmt::format("Which, with commas between: {} (default: all)",
+                               fmt::join(odometry_system_names(), ", ")))
+      ->delimiter(',');
+  command->add_option("--out", arguments->out,
+                      "Folder for the trajectories, <system>.txt in TUM format");
+  command->add_flag("--quiet", arguments->quiet, "No progress");
+  command->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
+  command->callback(
+      [&action, arguments] { action = [arguments] { return bench_odometry(*arguments); }; });
+}
+
+}  // namespace cvo_slam

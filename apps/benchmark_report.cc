@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/benchmark_report.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace cvo_slam {
+namespace {
+
+using Row = std::vector<std::string>;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kMillimetres = 1e3;
+constexpr double kMilliseconds = 1e3;
+
+const Row& header() {
+  static const Row row = {
+      "system",   "RPE 1 s [mm]", "RPE 1 s [deg]",   "RPE 1 frame [mm]", "RPE 1 frame [deg]",
+      "ATE [mm]", "lost",         "CPU median [ms]", "CPU mean [ms]"};
+  return row;
+}
+
+/// RMSE of translation and rotation, an RPE's two cells.
+void add_cells(const RelativeEvaluation& relative, Row& row) {
+  if (!relative.error) {
+    row.insert(row.end(), {"-", "-"});
+    return;
+  }
+  const PoseErrorStatistics& statistics = relative.error->statistics;
+  row.push_back(fmt::format("{:.1f}", statistics.translation.rmse * kMillimetres));
+  row.push_back(fmt::format("{:.2f}", statistics.rotation.rmse * kDegrees));
+}
+
+void add_error_cells(const std::optional<EvaluationReport>& evaluation, Row& row) {
+  if (!evaluation) {
+    row.insert(row.end(), 5, "-");
+    return;
+  }
+  for (const auto& relative : evaluation->relative) add_cells(relative, row);
+  row.push_back(
+      evaluation->ate
+          ? fmt::format("{:.1f}", evaluation->ate->statistics.translation.rmse * kMillimetres)
+          : "-");
+}
+
+Row row_of(const ContestantResult& result) {
+  Row row = {result.name};
+  if (!result.built_in) {
+    row.emplace_back("not built in");
+    row.resize(header().size(), "-");
+    return row;
+  }
+  add_error_cells(result.evaluation, row);
+  row.push_back(fmt::format("{}", result.lost));
+  row.push_back(fmt::format("{:.1f}", result.cpu.median * kMilliseconds));
+  row.push_back(fmt::format("{:.1f}", result.cpu.mean * kMilliseconds));
+  return row;
+}
+
+/// Names to the left, figures to the right, under the header.
+std::string markdown_line(const Row& row, const std::vector<std::size_t>& widths) {
+  std::string line = fmt::format("| {:<{}} |", row.front(), widths.front());
+  for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format(" {:>{}} |", row[i], widths[i]);
+  return line + "\n";
+}
+
+std::string markdown_table(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (std::size_t column = 0; column < header().size(); ++column) {
+    widths.push_back(header()[column].size());
+    for (const Row& row : rows) widths.back() = std::max(widths.back(), row[column].size());
+  }
+  Row rule = {std::string(widths.front(), '-')};
+  for (std::size_t i = 1; i < widths.size(); ++i) {
+    rule.push_back(std::string(widths[i] - 1, '-') + ":");  // aligned to the right
+  }
+  std::string text = markdown_line(header(), widths) + markdown_line(rule, widths);
+  for (const Row& row : rows) text += markdown_line(row, widths);
+  return text;
+}
+
+std::string protocol() {
+  return "RMSE, stamps matched to the nearest within 20 ms; RPE 1 s: all pairs; ATE: after "
+         "alignment by a rigid motion; a lost frame keeps the pose before it; CPU: time of the "
+         "one thread a frame, images decoded";
+}
+
+nlohmann::ordered_json milliseconds(const Statistics& seconds) {
+  return {{"median", seconds.median * kMilliseconds}, {"mean", seconds.mean * kMilliseconds}};
+}
+
+nlohmann::ordered_json to_json(const ContestantResult& result) {
+  nlohmann::ordered_json json = {
+      {"name", result.name}, {"description", result.description}, {"built_in", result.built_in}};
+  if (!result.built_in) return json;
+  json["lost"] = result.lost;
+  json["cpu_ms"] = milliseconds(result.cpu);
+  json["evaluation"] = nullptr;
+  if (result.evaluation) json["evaluation"] = to_json(*result.evaluation);
+  return json;
+}
+
+}  // namespace
+
+std::string to_table(const Dataset& data, const OdometryBenchmark& benchmark) {
+  std::vector<Row> rows;
+  std::transform(benchmark.results.begin(), benchmark.results.end(), std::back_inserter(rows),
+                 row_of);
+  std::string text = fmt::format("- sequence: {} ({}), frames {} to {} of {}, camera {}\n",
+                                 data.name(), data.kind(), benchmark.frames.begin,
+                                 benchmark.frames.end - 1, data.size(), data.camera().name);
+  text += fmt::format("- protocol: {}\n", protocol());
+  text += fmt::format(
+      "- decoding a frame's images: median {:.1f} ms, mean {:.1f} ms of CPU, in no row below\n",
+      benchmark.decoding.median * kMilliseconds, benchmark.decoding.mean * kMilliseconds);
+  for (const auto& result : benchmark.results) {
+    text += fmt::format("- {}: {}\n", result.name, result.description);
+  }
+  return text + "\n" + markdown_table(rows);
+}
+
+nlohmann::ordered_json to_json(const Dataset& data, const OdometryBenchmark& benchmark) {
+  nlohmann::ordered_json json = {{"sequence", data.name()},
+                                 {"kind", data.kind()},
+                                 {"camera", data.camera().name},
+                                 {"begin", benchmark.frames.begin},
+                                 {"end", benchmark.frames.end},
+                                 {"protocol", protocol()},
+                                 {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
+  json["systems"] = nlohmann::ordered_json::array();
+  for (const auto& result : benchmark.results) json["systems"].push_back(to_json(result));
+  return json;
+}
+
+}  // namespace cvo_slam

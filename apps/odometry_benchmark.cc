@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/odometry_benchmark.h"
+
+#include <ctime>
+#include <utility>
+
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+namespace {
+
+double thread_cpu_seconds() {
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+/// The CPU time that a call takes in this thread [s].
+template <typename Call>
+double cpu_time_of(const Call& call) {
+  const double start = thread_cpu_seconds();
+  call();
+  return thread_cpu_seconds() - start;
+}
+
+std::optional<EvaluationReport> evaluation_of(const std::vector<StampedPose>& reference,
+                                              const std::vector<StampedPose>& poses) {
+  if (reference.empty()) return std::nullopt;
+  try {
+    return evaluate(reference, poses);
+  } catch (const DataError&) {  // nothing of the reference is of these frames' time
+    return std::nullopt;
+  }
+}
+
+/// A system on its way through a sequence.
+class Run {
+ public:
+  explicit Run(const Contestant& contestant) : system_(contestant.system.get()) {
+    result_.name = contestant.name;
+    result_.description = contestant.description;
+    result_.built_in = system_ != nullptr;
+  }
+
+  void track(const RgbdFrame& frame) {
+    if (system_ == nullptr) return;
+    std::optional<SE3> T_world_camera;
+    cpu_.push_back(cpu_time_of([&] { T_world_camera = system_->track(frame); }));
+    if (!T_world_camera) {
+      ++result_.lost;
+      T_world_camera = result_.poses.empty() ? SE3() : result_.poses.back().T_world_camera;
+    }
+    result_.poses.push_back({frame.stamp, *T_world_camera});
+  }
+
+  ContestantResult finish(const std::vector<StampedPose>& reference) {
+    if (system_ != nullptr) {
+      result_.cpu = summarize(cpu_);
+      result_.evaluation = evaluation_of(reference, result_.poses);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  OdometrySystem* system_;  // null where it is not built in
+  ContestantResult result_;
+  std::vector<double> cpu_;  // [s]
+};
+
+}  // namespace
+
+OdometryBenchmark run_odometry_benchmark(const Dataset& data, const FrameRange& frames,
+                                         const std::vector<Contestant>& contestants,
+                                         const BenchmarkProgress& progress) {
+  std::vector<Run> runs(contestants.begin(), contestants.end());
+  std::vector<double> decoding;
+  for (std::size_t i = frames.begin; i < frames.end; ++i) {
+    RgbdFrame frame;
+    decoding.push_back(cpu_time_of([&] { frame = data.read(i); }));
+    for (auto& run : runs) run.track(frame);
+    if (progress) progress(i + 1 - frames.begin, frames.end - frames.begin);
+  }
+  OdometryBenchmark benchmark{frames, summarize(decoding), {}};
+  for (auto& run : runs) benchmark.results.push_back(run.finish(data.reference()));
+  return benchmark;
+}
+
+}  // namespace cvo_slam

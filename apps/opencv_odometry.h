@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "cvo_slam/apps/odometry_system.h"
+
+namespace cvo_slam {
+
+enum class OpencvMethod {
+  kRgbd,     ///< cv::rgbd::RgbdOdometry: photometric error (Steinbrücker et al., 2011)
+  kRgbdIcp,  ///< cv::rgbd::RgbdICPOdometry: photometric and point-to-plane error
+  kIcp,      ///< cv::rgbd::ICPOdometry: point-to-plane error (KinectFusion's)
+};
+
+/// OpenCV's odometry with its default options, each frame registered to the frame before it. Images
+/// are undistorted first, because these methods know a pinhole camera only. On TUM fr1/rpy that
+/// helps two of them and leaves the third (ATE raw and undistorted: RgbdICPOdometry 54 and 51 mm,
+/// ICPOdometry 70 and 54 mm, RgbdOdometry 56 and 56 mm, with one and two pairs lost).
+/// Null where OpenCV was built without its contrib module rgbd.
+[[nodiscard]] std::unique_ptr<OdometrySystem> make_opencv_odometry(OpencvMethod method,
+                                                                   const Camera& camera);
+
+}  // namespace cvo_slam

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cvo_slam/apps/benchmark_report.h"
+#include "cvo_slam/apps/odometry_benchmark.h"
+#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/tests/apps/run_program.h"
+#include "cvo_slam/tests/io/tiny_sequence.h"
+
+namespace cvo_slam {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Six frames of the synthetic room, small so that all systems together need about a second.
+class BenchCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    synthetic::write_sequence(sequence_, {.frames = 6, .width = 160, .height = 120});
+  }
+
+  ProgramResult bench(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"bench", "odometry", sequence_.string(), "--quiet"});
+    return run_program(arguments);
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path sequence_ = folder_.path() / "room";
+};
+
+TEST_F(BenchCommand, ComparesAllSystemsOnAllFrames) {
+  const ProgramResult result = bench({"--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  std::vector<std::string> names;
+  // What standing still would get: the length of the motion between two frames.
+  const double step = path_length(read_tum(sequence_ / "groundtruth.txt")) / 5;
+  for (const auto& system : json["systems"]) {
+    SCOPED_TRACE(system["name"]);
+    names.push_back(system["name"]);
+    if (!system["built_in"]) continue;
+    EXPECT_EQ(system["lost"], 0);
+    EXPECT_GT(system["cpu_ms"]["median"], 0);
+    EXPECT_EQ(system["evaluation"]["matches"], 6);
+    // A motion taken in the wrong direction gives twice the step.
+    EXPECT_LT(system["evaluation"]["rpe"][1]["error"]["translation_m"]["rmse"], step);
+  }
+  EXPECT_EQ(names, odometry_system_names());
+}
+
+TEST_F(BenchCommand, PrintsATableWithARowForEachSystemAskedFor) {
+  const ProgramResult result = bench({"--systems", "icp,ours", "--frames", "1:4"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, StartsWith("- sequence: room (TUM RGB-D), frames 1 to 3 of 6"));
+  EXPECT_THAT(result.output, AllOf(HasSubstr("\n| icp "), HasSubstr("\n| ours ")));
+  EXPECT_LT(result.output.find("\n| icp "), result.output.find("\n| ours "));
+  EXPECT_THAT(result.output, testing::Not(HasSubstr("\n| paper ")));
+}
+
+TEST_F(BenchCommand, WritesTheTrajectories) {
+  const auto out = folder_.path() / "new" / "out";
+  EXPECT_EQ(bench({"--systems", "ours", "--out", out.string()}).exit_code, 0);
+  EXPECT_EQ(read_tum(out / "ours.txt").size(), 6);
+}
+
+TEST_F(BenchCommand, RefusesAnUnknownSystemAndNamesTheNearest) {
+  const ProgramResult result = bench({"--systems", "ours,rgdb"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.errors,
+            "cvo_slam: error: --systems: unknown system 'rgdb'; did you mean 'rgbd'?\n");
+}
+
+TEST_F(BenchCommand, RefusesThreadsWhoseTimeItDoesNotSee) {
+  const ProgramResult result = bench({"--threads", "2"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("single threads"));
+}
+
+TEST(BenchCommandLine, RefusesAMissingDatasetInOneLine) {
+  const ProgramResult result = run_program({"bench", "odometry", "/nowhere"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, StartsWith("cvo_slam: error: /nowhere"));
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1);
+}
+
+TEST(BenchCommandLine, AsksForTheComparison) {
+  const ProgramResult result = run_program({"bench"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("a command is required: odometry"));
+}
+
+/// Answers with what it was given, frame by frame.
+class ScriptedSystem final : public OdometrySystem {
+ public:
+  explicit ScriptedSystem(std::vector<std::optional<SE3>> answers) : answers_(std::move(answers)) {}
+  std::optional<SE3> track(const RgbdFrame& /*frame*/) override { return answers_.at(next_++); }
+
+ private:
+  std::vector<std::optional<SE3>> answers_;
+  std::size_t next_ = 0;
+};
+
+class OdometryBenchmarkTest : public testing::Test {
+ protected:
+  void SetUp() override { sequence_.write_tum(); }
+
+  [[nodiscard]] OdometryBenchmark run(std::unique_ptr<OdometrySystem> system) const {
+    std::vector<Contestant> contestants;
+    contestants.push_back({"scripted", "a test", std::move(system)});
+    return run_odometry_benchmark(*sequence_.open(), {0, 2}, contestants);
+  }
+
+  TinySequence sequence_;
+};
+
+TEST_F(OdometryBenchmarkTest, ALostFrameKeepsThePoseBeforeIt) {
+  const SE3 pose(Matrix3::Identity(), {1, 2, 3});
+  const auto benchmark =
+      run(std::make_unique<ScriptedSystem>(std::vector<std::optional<SE3>>{pose, std::nullopt}));
+  const ContestantResult& result = benchmark.results.at(0);
+  EXPECT_EQ(result.lost, 1);
+  ASSERT_EQ(result.poses.size(), 2);
+  EXPECT_EQ(result.poses[1].T_world_camera.translation(), pose.translation());
+  EXPECT_EQ(result.cpu.count, 2);
+  EXPECT_EQ(benchmark.decoding.count, 2);
+}
+
+TEST_F(OdometryBenchmarkTest, WithoutAReferenceTheTableHasNoErrors) {
+  const auto benchmark =
+      run(std::make_unique<ScriptedSystem>(std::vector<std::optional<SE3>>{SE3(), SE3()}));
+  EXPECT_FALSE(benchmark.results.at(0).evaluation);
+  EXPECT_THAT(to_table(*sequence_.open(), benchmark),
+              testing::ContainsRegex("\\| scripted \\| +- \\| +- \\| +- \\| +- \\| +- \\| +0 \\|"));
+}
+
+TEST_F(OdometryBenchmarkTest, ASystemThatIsNotBuiltInSaysSo) {
+  const auto benchmark = run(nullptr);
+  EXPECT_THAT(to_table(*sequence_.open(), benchmark), HasSubstr("| scripted | not built in |"));
+  EXPECT_EQ(to_json(*sequence_.open(), benchmark)["systems"][0]["built_in"], false);
+}
+
+}  // namespace
+}  // namespace cvo_slam
