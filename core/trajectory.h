@@ -21,10 +21,10 @@ struct LostFrame {
   std::string reason;
 };
 
-/// The path of a camera. Both lists are in ascending order of stamps; no stamp occurs twice.
+/// The path of a camera.
 struct Trajectory {
-  std::vector<StampedPose> poses;
-  std::vector<LostFrame> lost;
+  std::vector<StampedPose> poses;  ///< in ascending order of stamps, none twice
+  std::vector<LostFrame> lost;     ///< in the order the frames came
 };
 
 /// Sum of the distances between consecutive positions [m].

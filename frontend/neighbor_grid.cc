@@ -45,7 +45,8 @@ void NeighborGrid::build(const PointCloud& cloud, double radius) {
   }
   const double extent_y = order_.empty() ? 0.0 : static_cast<double>(max_y) - min_y_;
   const double extent_z = order_.empty() ? 0.0 : static_cast<double>(max_z) - min_z_;
-  double width = std::max(radius, 1e-6);
+  // A little wider than the radius, so that rounding to single precision loses no neighbour.
+  double width = std::max(1.01 * radius, 1e-6);
   while ((extent_y / width + 1) * (extent_z / width + 1) > kMaxColumns) width *= 2;
   inverse_width_ = static_cast<float>(1 / width);
   columns_y_ = static_cast<std::int64_t>(extent_y / width) + 2;

@@ -23,7 +23,8 @@ using Floats = hn::Vec<FloatTag>;
 constexpr FloatTag kTag;
 
 /// exp(x) for x <= 0: 2^n e^r with |r| <= ln(2) / 2 and Taylor's polynomial of degree 6 for e^r,
-/// whose relative error is below r^7 / 5040 = 1.2e-7. Smaller than e^-80 counts as e^-80.
+/// whose relative error is below r^7 / 5040 = 1.2e-7; with rounding, 2.3e-7 was measured. Smaller
+/// than e^-80 counts as e^-80.
 HWY_INLINE Floats exp_of_negative(Floats x) {
   constexpr float kSmallest = -80.0F;
   constexpr float kLog2E = 1.44269504F;

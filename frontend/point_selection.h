@@ -27,11 +27,11 @@ struct SelectionOptions {
 
 /// Semi-dense point selection: at most `count` pixels of high image gradient with a depth that can
 /// be trusted, evenly spread over the image, back-projected to points with features. The points are
-/// ordered such that every prefix is evenly spread too.
-/// `frame` must have images of the camera's size; see check_images(). Where the camera moved
-/// between the stamps of the two images, T_color_depth is that motion (the pose of the camera at
-/// the depth image's time in its frame at the colour image's time) and each pixel's depth is looked
-/// up where the depth image saw it.
+/// ordered in rounds through square buckets of the image, so that a prefix of whole rounds is
+/// evenly spread too. `frame` must have images of the camera's size; see check_images(). Where the
+/// camera moved between the stamps of the two images, T_color_depth is that motion (the pose of the
+/// camera at the depth image's time in its frame at the colour image's time) and each pixel's depth
+/// is looked up where the depth image saw it.
 [[nodiscard]] PointCloud select_points(const RgbdFrame& frame, const Camera& camera, int count,
                                        const SelectionOptions& options = {},
                                        const SE3& T_color_depth = {});

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include "cvo_slam/frontend/gradient_flow_internal.h"
 #include "cvo_slam/frontend/newton_internal.h"
 
@@ -38,6 +40,17 @@ RegistrationResult failed(const SE3& T, const std::string& reason) {
 Matrix6 right_information(const Matrix6& left, const SE3& T) {
   const Matrix6 adjoint = T.adjoint();
   return adjoint.transpose() * left * adjoint;
+}
+
+/// True where the points leave a motion free: too few of them, or all on a line. The majorising
+/// Hessian is that of point-to-point distances, whatever the weights.
+bool is_undetermined(const ObjectiveValue& value) {
+  constexpr double kMinEigenvalueRatio = 1e-10;
+  const Eigen::Matrix<double, 6, 6> majorizer = value.majorizer;
+  const Vector6 eigenvalues =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(majorizer, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  return !(eigenvalues.minCoeff() > kMinEigenvalueRatio * eigenvalues.maxCoeff());
 }
 
 }  // namespace
@@ -74,6 +87,10 @@ RegistrationResult Registration::align(const PointCloud& moving,
     iterations += state.iterations;
   }
   if (state.value.matched == 0) return failed(T_fixed_moving_init, "the clouds do not overlap");
+  if (is_undetermined(state.value)) {
+    return failed(T_fixed_moving_init,
+                  "the points that match do not determine the pose: too few, or all on a line");
+  }
 
   RegistrationResult result;
   result.T_fixed_moving = state.T_fixed_moving.normalized();

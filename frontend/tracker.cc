@@ -3,6 +3,7 @@
 #include "cvo_slam/frontend/tracker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -99,8 +100,11 @@ void Tracker::Impl::remember(const RgbdFrame& frame) {
 
 /// The frame's points, with the motion between its two images taken out.
 PointCloud Tracker::Impl::select(const RgbdFrame& frame, int count) const {
-  const SE3 T_color_depth =
-      options.compensate_depth_delay ? motion.motion(frame.stamp, frame.depth_stamp) : SE3();
+  // A longer delay is a depth stamp that was not set.
+  constexpr double kMaxDelay = 0.1;  // [s]
+  const double delay = seconds_between(frame.stamp, frame.depth_stamp);
+  const bool compensate = options.compensate_depth_delay && std::abs(delay) < kMaxDelay;
+  const SE3 T_color_depth = compensate ? motion.motion(frame.stamp, frame.depth_stamp) : SE3();
   return select_points(frame, camera, count, options.selection, T_color_depth);
 }
 
