@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/evaluation_plots.h"
 
+#include <algorithm>
+#include <iterator>
 #include <system_error>
 
 #include "cvo_slam/core/error.h"
@@ -25,6 +27,17 @@ std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
   return curves;
 }
 
+/// The part of the reference from the estimate's begin to its end.
+std::vector<StampedPose> during(const std::vector<StampedPose>& reference,
+                                const std::vector<StampedPose>& estimate) {
+  std::vector<StampedPose> part;
+  std::copy_if(reference.begin(), reference.end(), std::back_inserter(part),
+               [&](const StampedPose& pose) {
+                 return pose.stamp >= estimate.front().stamp && pose.stamp <= estimate.back().stamp;
+               });
+  return part.empty() ? reference : part;
+}
+
 }  // namespace
 
 void write_evaluation_plots(const std::filesystem::path& folder,
@@ -36,7 +49,7 @@ void write_evaluation_plots(const std::filesystem::path& folder,
   if (error) throw OutputError(folder, "cannot be made a folder: " + error.message());
   const Similarity alignment = report.ate ? report.ate->alignment : Similarity();
   write_figure(folder / "trajectory",
-               trajectory_figure(reference, transformed(alignment, estimate)));
+               trajectory_figure(during(reference, estimate), transformed(alignment, estimate)));
   write_figure(folder / "errors", error_figure(curves_of(report)));
 }
 

@@ -4,38 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <ctime>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/core/error.h"
 
 namespace cvo_slam {
 namespace {
-
-volatile std::sig_atomic_t interrupt_requested = 0;
-
-/// Turns SIGINT into a flag for as long as it lives; a second one ends the program at once.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    interrupt_requested = 0;
-    previous_ = std::signal(SIGINT, [](int) {
-      interrupt_requested = 1;
-      std::signal(SIGINT, SIG_DFL);
-    });
-  }
-  ~InterruptGuard() { std::signal(SIGINT, previous_); }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
-  [[nodiscard]] static bool requested() { return interrupt_requested != 0; }
-
- private:
-  void (*previous_)(int);
-};
 
 using Clock = std::chrono::steady_clock;
 
@@ -45,6 +23,12 @@ double milliseconds_since(Clock::time_point start) {
 
 double process_cpu_seconds() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts kibibytes
 }
 
 }  // namespace
@@ -66,14 +50,14 @@ double OdometryRun::fps() const {
 }
 
 OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
-                         const TrackerOptions& options, bool quiet) {
+                         const TrackerOptions& options, bool quiet,
+                         const InterruptGuard& interrupt) {
   Tracker tracker(data.camera(), options);
   Progress progress(range.end - range.begin, quiet);
-  const InterruptGuard interrupt;
   OdometryRun run;
   const auto start = Clock::now();
   const double cpu_start = process_cpu_seconds();
-  for (std::size_t i = range.begin; i < range.end && !InterruptGuard::requested(); ++i) {
+  for (std::size_t i = range.begin; i < range.end && !interrupt.requested(); ++i) {
     const auto read_start = Clock::now();
     const RgbdFrame frame = data.read(i);
     const auto track_start = Clock::now();
@@ -86,7 +70,8 @@ OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
   }
   run.seconds = milliseconds_since(start) / 1e3;
   run.cpu_seconds = process_cpu_seconds() - cpu_start;
-  run.interrupted = InterruptGuard::requested();
+  run.interrupted = interrupt.requested();
+  run.peak_memory_mb = peak_memory_mb();
   return run;
 }
 

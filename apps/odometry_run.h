@@ -6,9 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "cvo_slam/apps/evaluation_report.h"
+#include "cvo_slam/apps/interrupt.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/frontend/tracker.h"
@@ -28,6 +27,7 @@ struct OdometryRun {
   std::vector<FrameCost> costs;  ///< of each record
   double seconds = 0;            ///< wall time of all frames
   double cpu_seconds = 0;        ///< of the process, over all frames
+  double peak_memory_mb = 0;     ///< of the process so far
   bool interrupted = false;
 
   [[nodiscard]] double lost_share() const;
@@ -38,7 +38,8 @@ struct OdometryRun {
 /// Tracks the frames of a range. Ends early, with what there is, where the user interrupts
 /// (SIGINT).
 [[nodiscard]] OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
-                                       const TrackerOptions& options, bool quiet);
+                                       const TrackerOptions& options, bool quiet,
+                                       const InterruptGuard& interrupt);
 
 /// Errors against the sequence's reference; empty where there is none or nothing to compare, with a
 /// line in `notes` that says why.

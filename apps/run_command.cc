@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/interrupt.h"
 #include "cvo_slam/apps/odometry_run.h"
 #include "cvo_slam/apps/run_report.h"
 #include "cvo_slam/apps/tracking_arguments.h"
@@ -57,13 +58,14 @@ int run(const RunArguments& arguments) {
     fmt::print("{}", options_to_yaml(describe(options), true));
     return kDone;
   }
+  const InterruptGuard interrupt;
   const auto data = arguments.tracking.open();
   const FrameRange range = arguments.tracking.range(data->size());
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
   prepare_folder(folder);
 
   RunReport report{*data, range, options, {}, {}, std::nullopt, data->notes()};
-  report.run = run_odometry(*data, range, options.tracker, arguments.quiet);
+  report.run = run_odometry(*data, range, options.tracker, arguments.quiet, interrupt);
   report.trajectory = to_trajectory(report.run.records);
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
   write_run(folder, report);

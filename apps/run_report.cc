@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/io/file_output.h"
@@ -15,12 +14,6 @@
 
 namespace cvo_slam {
 namespace {
-
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts kibibytes
-}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -103,7 +96,7 @@ nlohmann::ordered_json to_json(const RunReport& report) {
         {"cpu_s", run.cpu_seconds},
         {"read_ms_median", median_cost(run, &FrameCost::read_ms)},
         {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
-        {"peak_memory_mb", peak_memory_mb()}}}};
+        {"peak_memory_mb", run.peak_memory_mb}}}};
   json["evaluation"] = report.evaluation ? to_json(*report.evaluation) : nullptr;
   json["notes"] = report.notes;
   json["options"] = options_json(report.options);
@@ -122,8 +115,12 @@ std::string to_table(const RunReport& report) {
   table += fmt::format("{:<12} {:.1f} % ({} of {} frames)\n", "lost", 100 * run.lost_share(),
                        report.trajectory.lost.size(), run.records.size());
   table += fmt::format("{:<12} {}\n", "keyframes", run.keyframes());
-  table += fmt::format("{:<12} {:.0f} MB\n", "peak memory", peak_memory_mb());
-  for (const auto& note : report.notes) table += fmt::format("{:<12} {}\n", "note", note);
+  table += fmt::format("{:<12} {:.0f} MB\n", "peak memory", run.peak_memory_mb);
+  std::vector<std::string> notes = report.notes;
+  if (report.evaluation) {
+    notes.insert(notes.end(), report.evaluation->notes.begin(), report.evaluation->notes.end());
+  }
+  for (const auto& note : notes) table += fmt::format("{:<12} {}\n", "note", note);
   return table;
 }
 

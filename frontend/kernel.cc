@@ -19,10 +19,13 @@ OptionSet describe(KernelOptions& o) {
             {"squared_exponential", ColorKernel::kSquaredExponential}},
            "Inner product of colours: the paper's linear one, or a squared exponential of colour "
            "and gradient, which tells points apart.")
-      .add("color_scale", o.color_scale, {1, 1e6}, "8-bit values",
-           "Length scale of the squared exponential on (blue, green, red).")
-      .add("gradient_scale", o.gradient_scale, {1, 1e6}, "8-bit values a pixel",
-           "Length scale of the squared exponential on the image gradient.");
+      .add(
+          "color_scale", o.color_scale, {1, 1e6}, "8-bit values",
+          "Length scale of the squared exponential on (blue, green, red). Half of it takes changes "
+          "of exposure for other colours, three times it hardly tells colours apart.")
+      .add(
+          "gradient_scale", o.gradient_scale, {1, 1e6}, "8-bit values a pixel",
+          "Length scale of the squared exponential on the image gradient; as that of the colours.");
 }
 
 double support_radius(const KernelOptions& options, double length_scale) {

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `cvo_slam run` from outside: the files it leaves, its exit codes, its errors.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/tests/apps/run_program.h"
+#include "cvo_slam/tests/temporary_folder.h"
+
+namespace cvo_slam {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+
+constexpr std::size_t kFrames = 12;
+
+class RunCommand : public testing::Test {
+ protected:
+  RunCommand() {
+    synthetic::write_sequence(sequence_, {.frames = kFrames, .width = 160, .height = 120});
+  }
+
+  [[nodiscard]] ProgramResult run(const std::vector<std::string>& options,
+                                  const std::string& out = "out") const {
+    std::vector<std::string> arguments = {"run", sequence_, "--out", folder_.path() / out};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_program(arguments);
+  }
+
+  [[nodiscard]] std::string file(const std::string& name, const std::string& out = "out") const {
+    return read_text(folder_.path() / out / name);
+  }
+
+  static void expect_error(const ProgramResult& result, int code, const std::string& text) {
+    EXPECT_EQ(result.exit_code, code) << result.errors;
+    EXPECT_THAT(result.errors, MatchesRegex("cvo_slam: error: [^\n]+\n"));
+    EXPECT_THAT(result.errors, HasSubstr(text));
+  }
+
+  /// Replaces an image of the sequence by one without anything to see.
+  void blank(std::size_t frame) const {
+    std::vector<std::filesystem::path> images;
+    for (const auto& entry : std::filesystem::directory_iterator(sequence_ / "rgb")) {
+      images.push_back(entry.path());
+    }
+    std::sort(images.begin(), images.end());
+    cv::imwrite(images[frame], cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(128)));
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path sequence_ = folder_.path() / "room";
+};
+
+TEST_F(RunCommand, WritesEveryFileAndEndsWithATable) {
+  const auto result = run({});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("ATE"), HasSubstr("RPE 1 frame"), HasSubstr("fps"),
+                                   HasSubstr("lost         0.0 %"), HasSubstr("peak memory")));
+  EXPECT_THAT(result.errors, HasSubstr("frame 12/12"));
+  for (const char* name :
+       {"trajectory.txt", "trajectory_online.txt", "frames.csv", "config.yaml", "report.json",
+        "trajectory.png", "trajectory.svg", "errors.png", "errors.svg"}) {
+    EXPECT_GT(file(name).size(), 100U) << name;
+  }
+  EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), kFrames);
+  const std::string csv = file("frames.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<long>(kFrames) + 1);
+}
+
+TEST_F(RunCommand, ReportHoldsTheFiguresOfAnExactTracker) {
+  ASSERT_EQ(run({"--quiet"}).exit_code, 0);
+  const auto report = nlohmann::json::parse(file("report.json"));
+  EXPECT_EQ(report["frames"]["tracked"], kFrames);
+  EXPECT_EQ(report["frames"]["lost"], 0);
+  // The pixels of a 160x120 image are 1.5 cm wide at 2 m: the path is followed to a fraction of
+  // one.
+  EXPECT_LT(report["evaluation"]["ate"]["translation_m"]["rmse"], 0.005);
+  EXPECT_EQ(report["options"]["tracker.registration.solver"], "newton");
+}
+
+TEST_F(RunCommand, SameBytesAgainAndWithTwoThreads) {
+  for (const char* out : {"first", "again"}) ASSERT_EQ(run({"--quiet"}, out).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "--threads", "2"}, "threads").exit_code, 0);
+  for (const char* name : {"trajectory.txt", "trajectory_online.txt", "trajectory.svg"}) {
+    EXPECT_EQ(file(name, "again"), file(name, "first")) << name;
+    EXPECT_EQ(file(name, "threads"), file(name, "first")) << name;
+  }
+}
+
+TEST_F(RunCommand, EffectiveConfigurationReproducesTheRun) {
+  ASSERT_EQ(run({"--quiet", "--set", "tracker.points=300"}).exit_code, 0);
+  ASSERT_EQ(run({"--quiet", "--config", folder_.path() / "out" / "config.yaml"}, "two").exit_code,
+            0);
+  EXPECT_EQ(file("config.yaml", "two"), file("config.yaml"));
+  EXPECT_EQ(file("trajectory.txt", "two"), file("trajectory.txt"));
+}
+
+TEST_F(RunCommand, PaperPresetRunsToTheEnd) {
+  const auto result = run({"--quiet", "--preset", "paper", "--frames", "0:4"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto report = nlohmann::json::parse(file("report.json"));
+  EXPECT_EQ(report["frames"]["tracked"], 4);
+  EXPECT_EQ(report["options"]["tracker.registration.solver"], "flow");
+}
+
+TEST_F(RunCommand, FramesTakesARange) {
+  ASSERT_EQ(run({"--quiet", "--frames", "3:7"}).exit_code, 0);
+  EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), 4U);
+  EXPECT_THAT(file("frames.csv"), HasSubstr("\n3,"));
+}
+
+TEST_F(RunCommand, JsonReplacesTheTable) {
+  const auto result = run({"--json", "--quiet"});
+  EXPECT_EQ(nlohmann::json::parse(result.output), nlohmann::json::parse(file("report.json")));
+}
+
+TEST_F(RunCommand, WithoutGroundTruthThereAreNoErrorsButEverythingElse) {
+  std::filesystem::remove(sequence_ / "groundtruth.txt");
+  const auto result = run({});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("no ground truth"), Not(HasSubstr("ATE"))));
+  EXPECT_GT(file("trajectory.png").size(), 1000U);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out" / "errors.png"));
+}
+
+TEST_F(RunCommand, LostFramesAreMarkedAndTooManyAreExitCode3) {
+  blank(5);
+  const auto result = run({});
+  EXPECT_EQ(result.exit_code, 3);  // 1 of 12 is more than 5 %
+  EXPECT_THAT(result.output, HasSubstr("lost         8.3 % (1 of 12 frames)"));
+  EXPECT_THAT(file("trajectory.txt"), HasSubstr("# lost 1000.166667 only 0 points"));
+  EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), kFrames - 1);
+  EXPECT_EQ(run({"--max-lost", "0.1"}).exit_code, 0);
+}
+
+TEST_F(RunCommand, ABrokenImageIsALostFrameThatNamesTheFile) {
+  folder_.write("room/rgb/1000.133333.png", "not an image");
+  EXPECT_EQ(run({"--quiet"}).exit_code, 3);
+  EXPECT_THAT(file("trajectory.txt"),
+              AllOf(HasSubstr("# lost 1000.133333"), HasSubstr("rgb/1000.133333.png")));
+}
+
+TEST_F(RunCommand, NoFrameTrackedIsExitCode3WithAllFiles) {
+  for (std::size_t i = 0; i < kFrames; ++i) blank(i);
+  const auto result = run({});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.output, HasSubstr("lost         100.0 %"));
+  EXPECT_GT(file("trajectory.png").size(), 1000U);
+}
+
+TEST_F(RunCommand, BadInputIsOneLineAndExitCode2) {
+  expect_error(run({"--set", "tracker.pionts=5"}), 2, "did you mean 'tracker.points'?");
+  expect_error(run({"--set", "tracker.points"}), 2, "key=value");
+  expect_error(run({"--set", "tracker.points=many"}), 2, "tracker.points=many");
+  expect_error(run({"--frames", "7:3"}), 2, "holds no frame");
+  expect_error(run({"--frames", "x"}), 2, "a:b");
+  expect_error(run({"--mode", "magic"}), 2, "magic");
+  expect_error(run({"--camera", "no_such.yaml"}), 2, "no_such.yaml");
+  expect_error(run_program({"run"}), 2, "no dataset");
+  expect_error(run_program({"run", folder_.path() / "nowhere"}), 2, "nowhere");
+  const auto yaml = folder_.write("bad.yaml", "tracker:\n  points: [1\n");
+  expect_error(run({"--config", yaml}), 2, "bad.yaml");
+  const auto unknown = folder_.write("unknown.yaml", "tracker:\n  point: 1\n");
+  expect_error(run({"--config", unknown}), 2, "unknown.yaml:2");
+}
+
+TEST_F(RunCommand, AnUnwritableFolderIsSaidBeforeTheWork) {
+  const auto result = run_program({"run", sequence_, "--out", "/proc/cvo_slam"});
+  expect_error(result, 1, "/proc/cvo_slam");
+  const auto file_in_the_way = folder_.write("file", "");
+  expect_error(run_program({"run", sequence_, "--out", file_in_the_way}), 1, "file");
+}
+
+TEST_F(RunCommand, TheDefaultFolderHasALinkToTheLatest) {
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path());
+  const auto result = run_program({"run", sequence_, "--quiet"});
+  std::filesystem::current_path(here);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_GT(read_text(folder_.path() / "results/room/latest/report.json").size(), 100U);
+}
+
+TEST_F(RunCommand, AnInterruptWritesWhatThereIs) {
+  // The paper's protocol takes seconds. The program is interrupted as soon as it has made its
+  // folder, which it does after it began to listen.
+  const auto out = folder_.path() / "out";
+  const std::string command = fmt::format(
+      "'{}' run '{}' --out '{}' --preset paper --quiet & while [ ! -e '{}/trajectory.txt' ]; do "
+      ":; done; kill -INT $!; wait $!",
+      CVO_SLAM_PROGRAM, sequence_.string(), out.string(), out.string());
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const auto report = nlohmann::json::parse(file("report.json"));
+  EXPECT_TRUE(report["interrupted"]);
+  EXPECT_LT(report["frames"]["processed"], kFrames);
+}
+
+TEST(DefaultConfiguration, FileIsWhatTheProgramPrints) {
+  // Where this fails: build/release/cvo_slam run --dump-config > config/default.yaml
+  EXPECT_EQ(read_text(std::filesystem::path(CVO_SLAM_SOURCE_DIR) / "config" / "default.yaml"),
+            run_program({"run", "--dump-config"}).output);
+}
+
+}  // namespace
+}  // namespace cvo_slam
