@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/text_internal.h"
 #include "cvo_slam/io/yaml_internal.h"
 
 namespace cvo_slam {
@@ -65,17 +66,23 @@ void check_distinct(std::vector<Setting> settings, const std::filesystem::path& 
                    fmt::format("option '{}' is set twice; remove one", twice->key));
 }
 
-/// The documentation, then "[unit; range]", every line behind `indent` and '#'.
+/// The documentation, then "[unit; range]", as comment lines behind `indent`, of 100 characters at
+/// most where words allow.
 std::string comment_of(const Option& option, const std::string& indent) {
-  std::string text = option.doc;
-  text += option.unit.empty() ? fmt::format("\n[{}]", option.allowed)
-                              : fmt::format("\n[{}; {}]", option.unit, option.allowed);
-  std::string comment = indent + "# ";
-  for (const char c : text) {
-    comment += c;
-    if (c == '\n') comment += indent + "# ";
+  constexpr std::size_t kWidth = 100;
+  const std::string range = option.unit.empty()
+                                ? fmt::format("[{}]", option.allowed)
+                                : fmt::format("[{}; {}]", option.unit, option.allowed);
+  std::string comment;
+  std::string line = indent + "#";
+  for (const auto& word : split_words(option.doc)) {
+    if (line.size() + 1 + word.size() > kWidth) {
+      comment += line + "\n";
+      line = indent + "#";
+    }
+    line += " " + word;
   }
-  return comment + "\n";
+  return comment + line + "\n" + indent + "# " + range + "\n";
 }
 
 /// Writes the options of one map, whose keys all start with the same `prefix` characters. A nested

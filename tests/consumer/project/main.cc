@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A program of somebody else: writes a trajectory into the folder it is given, reads it back, and
-// sees the library's errors as exceptions of its own.
+// A program of somebody else: writes a trajectory into the folder it is given, reads it back, sees
+// the library's errors as exceptions of its own, and asks the tracker.
 #include <filesystem>
 #include <iostream>
 #include <numbers>
 
 #include <cvo_slam/core/error.h>
 #include <cvo_slam/core/se3.h>
+#include <cvo_slam/frontend/tracker.h>
 #include <cvo_slam/io/tum_trajectory.h>
 
 namespace {
@@ -35,6 +36,13 @@ bool missing_file_throws(const std::filesystem::path& folder) {
   return false;
 }
 
+/// A frame without images is an answer, not an exception.
+bool tracker_answers() {
+  cvo_slam::Tracker tracker{cvo_slam::Camera()};
+  const cvo_slam::FrameRecord record = tracker.track(cvo_slam::RgbdFrame());
+  return record.status == cvo_slam::TrackingStatus::kLost && !record.reason.empty();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -45,7 +53,8 @@ int main(int argc, char** argv) {
 
   // Four quarter turns of a circle end where they began, up to the nine digits of the file.
   const double gap = poses.back().T_world_camera.translation().norm();
-  const bool ok = poses.size() == 5 && gap < 1e-8 && missing_file_throws(folder);
+  const bool ok = poses.size() == 5 && gap < 1e-8 && missing_file_throws(folder) &&
+                  tracker_answers();
   std::cout << poses.size() << " poses, the circle's gap is " << gap << " m\n";
   return ok ? 0 : 1;
 }
