@@ -13,7 +13,7 @@ DATASET ?=
 OUT ?= results/demo
 # PREFIX is where `make install` puts the program and the libraries.
 PREFIX ?= /usr/local
-# One compiler process needs up to 1.5 GB (Eigen, Ceres): no more of them than fit in memory.
+# One compiler process needs up to 1.5 GB (Eigen): no more of them than fit in memory.
 ifndef JOBS
 JOBS := $(shell awk -v cpus="$$(nproc)" '/^MemAvailable/ { fit = int($$2 / 1.5e6) } \
           END { print fit < 1 ? 1 : fit < cpus ? fit : cpus }' /proc/meminfo)

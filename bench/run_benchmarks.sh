@@ -5,7 +5,8 @@
 # run_benchmarks.sh [output file]
 #
 # Compares ours with the CVO paper's protocol and OpenCV's odometries on full sequences and writes
-# docs/benchmarks.md (`make eval`). Takes about an hour, almost all of it the paper's protocol.
+# docs/benchmarks.md (`make eval`). Takes about a quarter of an hour, most of it the paper's protocol,
+# which therefore runs on fr1/rpy alone.
 #
 #   CVO_SLAM_DATA     folder of the recorded sequences (default: ../shared/data beside the checkout);
 #                     one that is not there is left out, and the page says so
@@ -25,20 +26,21 @@ draft=build/eval/benchmarks.md
   exit 1
 }
 
-# The figures of one sequence, with the command that gives them; $2 is how people write its path.
+# The figures of one sequence, with the command that gives them: title, path as people write it, path
+# on this machine, systems.
 compare() {
   echo "run_benchmarks.sh: $1" >&2
   # shellcheck disable=SC2016  # Markdown's quotes
-  printf '\n## %s\n\n```\ncvo_slam bench odometry %s%s\n```\n\n' \
-    "$1" "$2" "${arguments:+ $arguments}" >> "$draft"
+  printf '\n## %s\n\n```\ncvo_slam bench odometry %s --systems %s%s\n```\n\n' \
+    "$1" "$2" "$4" "${arguments:+ $arguments}" >> "$draft"
   # shellcheck disable=SC2086  # several arguments
-  "$program" bench odometry "$3" $arguments >> "$draft"
+  "$program" bench odometry "$3" --systems "$4" $arguments >> "$draft"
 }
 
-# One of the recorded sequences, below the folder of data.
+# One of the recorded sequences, below the folder of data: title, folder, systems.
 compare_recorded() {
   if [ -d "$data/$2" ]; then
-    compare "$1" "\$CVO_SLAM_DATA/$2" "$data/$2"
+    compare "$1" "\$CVO_SLAM_DATA/$2" "$data/$2" "$3"
   else
     printf '\n## %s\n\nNot on this machine.\n' "$1" >> "$draft"
   fi
@@ -66,10 +68,11 @@ by frame, and every decoded frame is handed to every system in the same process.
 END
 describe_machine >> "$draft"
 
-compare_recorded "TUM RGB-D fr1/rpy" tum/rgbd_dataset_freiburg1_rpy
-compare_recorded "7-Scenes seq-01" 7scenes/seq-01
+opencv=rgbd,rgbd_icp,icp
+compare_recorded "TUM RGB-D fr1/rpy" tum/rgbd_dataset_freiburg1_rpy "ours,paper,$opencv"
+compare_recorded "7-Scenes seq-01" 7scenes/seq-01 "ours,$opencv"
 "$program" synth room "$room" >&2
-compare "Synthetic room" "$room" "$room"
+compare "Synthetic room" "$room" "$room" "ours,$opencv"
 
 # Only a whole page takes the place of the last one.
 mv "$draft" "$page"

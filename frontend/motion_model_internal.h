@@ -14,6 +14,7 @@ class MotionModel {
  public:
   /// Forgets the velocity.
   void stop() { velocity_.reset(); }
+  [[nodiscard]] bool is_moving() const { return velocity_.has_value(); }
   void update(const Timestamp& stamp, const SE3& T_world_camera);
 
   [[nodiscard]] SE3 predict(const Timestamp& stamp) const;

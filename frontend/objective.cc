@@ -13,8 +13,8 @@ constexpr std::size_t kChunk = 128;
 
 /// Adds what one moving point q contributes; the formulas are those of ObjectiveValue.
 void add_point(const PairSums& sums, const Vector3& q, double ell, ObjectiveValue& total) {
+  if (sums.k <= 0) return;
   const double w = sums.w;
-  if (w <= 0) return;
   const double inv2 = 1 / (ell * ell);
   const double inv4 = inv2 * inv2;
   const Vector3 s(sums.r[0], sums.r[1], sums.r[2]);

@@ -94,12 +94,24 @@ HWY_INLINE Floats label_products(const Constants& constants, const PointCloud& f
 struct Accumulator {
   // Spelled out because the compiler's own constructor would lack the instruction set.
   Accumulator()
-      : w(hn::Zero(kTag)), excess(w), x(w), y(w), z(w), xx(w), xy(w), xz(w), yy(w), yz(w), zz(w) {}
-  Floats w, excess, x, y, z, xx, xy, xz, yy, yz, zz;
+      : k(hn::Zero(kTag)),
+        w(k),
+        excess(w),
+        x(w),
+        y(w),
+        z(w),
+        xx(w),
+        xy(w),
+        xz(w),
+        yy(w),
+        yz(w),
+        zz(w) {}
+  Floats k, w, excess, x, y, z, xx, xy, xz, yy, yz, zz;
 
   [[nodiscard]] PairSums reduce() const {
     const auto sum = [](Floats v) { return hn::GetLane(hn::SumOfLanes(kTag, v)); };
-    return {sum(w),
+    return {sum(k),
+            sum(w),
             sum(excess),
             {sum(x), sum(y), sum(z)},
             {sum(xx), sum(xy), sum(xz), sum(yy), sum(yz), sum(zz)}};
@@ -120,6 +132,7 @@ HWY_INLINE void add_run(const Constants& constants, const PointCloud& fixed, con
     if (hn::AllFalse(kTag, inside)) continue;
     const Floats c = hn::IfThenElseZero(inside, label_products<kColor>(constants, fixed, k, q));
     const Floats w = hn::Mul(c, value);
+    sums.k = hn::Add(sums.k, hn::IfThenElseZero(inside, value));
     sums.w = hn::Add(sums.w, w);
     sums.excess = hn::MulAdd(c, hn::Sub(value, constants.threshold), sums.excess);
     const Floats wx = hn::Mul(w, rx);

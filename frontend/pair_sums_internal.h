@@ -16,6 +16,7 @@ namespace cvo_slam {
 /// What one moving point q contributes: sums over the fixed points x_i inside the kernel's support,
 /// with w = c k and r = x_i - q. All that gradient and Hessian need of the pairs.
 struct PairSums {
+  float k = 0;       ///< sum k: positive where there is any neighbour
   float w = 0;       ///< sum w
   float excess = 0;  ///< sum c (k - sparsification)
   float r[3] = {};   ///< sum w r

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "cvo_slam/frontend/gradient_flow_internal.h"
@@ -21,7 +22,7 @@ struct Registration::Impl {
   [[nodiscard]] LevelResult run_level(std::size_t level, const PointCloud& moving,
                                       const SE3& T_init) const {
     const auto& limits = options.max_iterations;
-    const auto limit = static_cast<int>(limits[std::min(level, limits.size() - 1)]);
+    const int limit = limits[std::min(level, limits.size() - 1)];
     const auto solve = options.solver == Solver::kFlow ? gradient_flow : newton;
     return solve(levels[level], moving, T_init, limit, options, executor);
   }
@@ -42,6 +43,13 @@ Matrix6 right_information(const Matrix6& left, const SE3& T) {
   return adjoint.transpose() * left * adjoint;
 }
 
+/// The negative Hessian, or where it is not positive definite, as away from a maximum, the
+/// majorising one, which is.
+Matrix6 curvature(const ObjectiveValue& value) {
+  const Eigen::LLT<Eigen::Matrix<double, 6, 6>> llt{Eigen::Matrix<double, 6, 6>(value.hessian)};
+  return llt.info() == Eigen::Success ? value.hessian : value.majorizer;
+}
+
 /// True where the points leave a motion free: too few of them, or all on a line. The majorising
 /// Hessian is that of point-to-point distances, whatever the weights.
 bool is_undetermined(const ObjectiveValue& value) {
@@ -53,12 +61,16 @@ bool is_undetermined(const ObjectiveValue& value) {
   return !(eigenvalues.minCoeff() > kMinEigenvalueRatio * eigenvalues.maxCoeff());
 }
 
+RegistrationOptions checked(RegistrationOptions options) {
+  describe(options).check();
+  check_consistency(options);
+  return options;
+}
+
 }  // namespace
 
 Registration::Registration(const RegistrationOptions& options, int threads)
-    : impl_(std::make_unique<Impl>(Impl{options, Executor(threads), {}, 0})) {
-  describe(impl_->options).check();
-}
+    : impl_(std::make_unique<Impl>(Impl{checked(options), Executor(threads), {}, 0})) {}
 
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;
@@ -107,7 +119,8 @@ RegistrationResult Registration::align(const PointCloud& moving,
       std::min(1.0, state.value.inner_product /
                         std::sqrt(impl_->fixed_squared_norm * finest.squared_norm(moving)));
   const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
-  result.information = right_information(state.value.hessian, result.T_fixed_moving) / mean_weight;
+  result.information =
+      right_information(curvature(state.value), result.T_fixed_moving) / mean_weight;
   return result;
 }
 

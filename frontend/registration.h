@@ -36,7 +36,7 @@ struct RegistrationOptions {
   KernelOptions kernel;
   std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015};
   /// Most iterations at each length scale; the last entry holds for the scales after it.
-  std::vector<double> max_iterations = {5, 5, 5, 10};
+  std::vector<int> max_iterations = {5, 5, 5, 10};
   double tolerance_translation = 1e-4;
   double tolerance_rotation = 1e-4;
   FlowOptions flow;
@@ -44,6 +44,9 @@ struct RegistrationOptions {
 
 [[nodiscard]] OptionSet describe(FlowOptions& options);
 [[nodiscard]] OptionSet describe(RegistrationOptions& options);
+
+/// Throws OptionError where options that are each in range contradict one another.
+void check_consistency(const RegistrationOptions& options);
 
 enum class RegistrationStatus {
   kConverged,
@@ -65,7 +68,9 @@ struct RegistrationResult {
   double cos_theta = 0;
   /// Information (inverse covariance) of a right perturbation of T_fixed_moving, tangent order
   /// [translation; rotation]: the negative second derivative of the objective, scaled so that a
-  /// moving point counts as one measurement with the final length scale as standard deviation.
+  /// moving point counts as one measurement with the final length scale as standard deviation;
+  /// positive definite. Where the search ended away from a maximum it is that of the majorising
+  /// least squares.
   Matrix6 information = Matrix6::Zero();
 };
 

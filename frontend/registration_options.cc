@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/registration.h"
 
 namespace cvo_slam {
@@ -41,6 +44,15 @@ OptionSet describe(RegistrationOptions& o) {
       .add("tolerance_rotation", o.tolerance_rotation, {0, 1}, "rad",
            "newton: a step shorter than both tolerances ends a length scale.")
       .add("flow", describe(o.flow));
+}
+
+void check_consistency(const RegistrationOptions& options) {
+  const double peak = options.kernel.sigma * options.kernel.sigma;
+  if (options.kernel.sparsification < peak) return;
+  throw OptionError(
+      fmt::format("kernel.sparsification={} leaves nothing of a kernel whose peak is sigma^2={}; "
+                  "take a smaller one",
+                  options.kernel.sparsification, peak));
 }
 
 }  // namespace cvo_slam

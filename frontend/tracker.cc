@@ -51,25 +51,30 @@ std::string keyframe_reason(const RegistrationResult& result, const KeyframeOpti
   return {};
 }
 
+TrackerOptions checked(TrackerOptions options) {
+  describe(options).check();
+  check_consistency(options);
+  return options;
+}
+
 }  // namespace
 
 struct Tracker::Impl {
   Impl(const Camera& camera_in, const TrackerOptions& options_in)
       : camera(camera_in),
-        options(options_in),
-        registration(options_in.registration, options_in.threads) {
+        options(checked(options_in)),
+        registration(options.registration, options.threads) {
     camera.check();
-    describe(options).check();
   }
 
   Camera camera;
   TrackerOptions options;
   Registration registration;  // against the current keyframe
   MotionModel motion;
-  std::optional<RgbdFrame> keyframe;
+  std::optional<std::size_t> keyframe;  // its index
   SE3 T_world_keyframe;
   RgbdFrame last_tracked;
-  std::optional<Timestamp> last_stamp;
+  bool keyframe_is_last_tracked = false;
   int segment = 0;
   int lost_in_a_row = 0;
 
@@ -86,13 +91,15 @@ struct Tracker::Impl {
 };
 
 void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera) {
-  keyframe = frame;
+  keyframe = frame.index;
+  keyframe_is_last_tracked = true;
   T_world_keyframe = T_world_camera;
   registration.set_fixed(select(frame, options.keyframe_points));
 }
 
 /// Keeps a copy of the images: the caller may grab the next ones into the same memory.
 void Tracker::Impl::remember(const RgbdFrame& frame) {
+  keyframe_is_last_tracked = false;
   last_tracked = frame;
   last_tracked.color = frame.color.clone();
   last_tracked.depth = frame.depth.clone();
@@ -114,19 +121,21 @@ void Tracker::Impl::start_segment(const RgbdFrame& frame, FrameRecord& record) {
   record.T_world_camera = motion.last_pose();
   record.keyframe = frame.index;
   record.keyframe_reason = "start of a segment";
+  record.registration = {};
   record.registration.status = RegistrationStatus::kConverged;
+  record.registration.reason = "the keyframe itself";
   record.registration.overlap = 1;
   record.registration.cos_theta = 1;
-  set_keyframe(frame, record.T_world_camera);
   motion.stop();
   motion.update(frame.stamp, record.T_world_camera);
   remember(frame);
+  set_keyframe(frame, record.T_world_camera);
 }
 
 /// Registers against the keyframe from a start; returns what is wrong with the result, or nothing.
 std::string Tracker::Impl::register_from(const PointCloud& cloud, const SE3& T_world_camera_init,
                                          FrameRecord& record) const {
-  record.keyframe = keyframe->index;
+  record.keyframe = *keyframe;
   record.registration = registration.align(cloud, T_world_keyframe.inverse() * T_world_camera_init);
   record.T_world_camera = T_world_keyframe * record.registration.T_fixed_moving;
   const std::string fault = find_fault(record.registration, options.lost);
@@ -135,20 +144,25 @@ std::string Tracker::Impl::register_from(const PointCloud& cloud, const SE3& T_w
                            seconds_between(motion.last_stamp(), record.stamp), options.lost);
 }
 
-/// Registers from the predicted pose; where that fails from the last one, and where that fails too
-/// against the last tracked frame, the most similar view there is.
+/// Registers from the predicted pose; where that fails without the velocity, and where that fails
+/// too against the last tracked frame, the most similar view there is.
 std::string Tracker::Impl::register_frame(const PointCloud& cloud, FrameRecord& record) {
-  const SE3 predicted = options.prediction == Prediction::kConstantVelocity
-                            ? motion.predict(record.stamp)
-                            : motion.last_pose();
-  std::string fault = register_from(cloud, predicted, record);
-  if (!fault.empty() && options.prediction != Prediction::kIdentity) {
+  if (record.stamp <= motion.last_stamp()) {
+    return fmt::format("its stamp is not after the stamp {} of the last tracked frame",
+                       motion.last_stamp().to_string());
+  }
+  const bool predict = options.prediction == Prediction::kConstantVelocity;
+  std::string fault =
+      register_from(cloud, predict ? motion.predict(record.stamp) : T_world_keyframe, record);
+  if (!fault.empty() && predict && motion.is_moving()) {
     fault = register_from(cloud, motion.last_pose(), record);
   }
-  if (!fault.empty() && keyframe->index != last_tracked.index) {
+  if (!fault.empty() && !keyframe_is_last_tracked) {
     set_keyframe(last_tracked, motion.last_pose());
+    record.promoted_keyframe = last_tracked.index;
     fault = register_from(cloud, motion.last_pose(), record);
   }
+  if (!fault.empty()) motion.stop();
   return fault;
 }
 
@@ -165,7 +179,6 @@ void Tracker::Impl::accept(const RgbdFrame& frame, FrameRecord& record) {
 
 void Tracker::Impl::reject(const std::string& reason, FrameRecord& record) {
   ++lost_in_a_row;
-  motion.stop();
   record.status = TrackingStatus::kLost;
   record.reason = reason;
 }
@@ -173,12 +186,6 @@ void Tracker::Impl::reject(const std::string& reason, FrameRecord& record) {
 void Tracker::Impl::track(const RgbdFrame& frame, FrameRecord& record) {
   const std::string problem = check_images(frame, camera);
   if (!problem.empty()) return reject(problem, record);
-  if (last_stamp && frame.stamp <= *last_stamp) {
-    return reject(fmt::format("its stamp is not after the stamp {} of the frame before it",
-                              last_stamp->to_string()),
-                  record);
-  }
-  last_stamp = frame.stamp;
   const PointCloud cloud = select(frame, options.points);
   record.points = cloud.size();
   if (cloud.size() < static_cast<std::size_t>(options.lost.min_points)) {

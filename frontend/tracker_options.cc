@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/frontend/tracker_options.h"
 
+#include <fmt/format.h>
+
+#include "cvo_slam/core/error.h"
+
 namespace cvo_slam {
 
 OptionSet describe(KeyframeOptions& o) {
@@ -55,6 +59,14 @@ OptionSet describe(TrackerOptions& o) {
       .add("registration", describe(o.registration))
       .add("keyframe", describe(o.keyframe))
       .add("lost", describe(o.lost));
+}
+
+void check_consistency(const TrackerOptions& options) {
+  check_consistency(options.registration);
+  const auto& selection = options.selection;
+  if (selection.min_depth < selection.max_depth) return;
+  throw OptionError(fmt::format("selection.min_depth={} must be less than selection.max_depth={}",
+                                selection.min_depth, selection.max_depth));
 }
 
 TrackerOptions paper_options() {

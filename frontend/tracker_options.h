@@ -17,7 +17,7 @@ enum class Reference {
 /// Where a registration starts.
 enum class Prediction {
   kConstantVelocity,
-  kIdentity,  ///< the pose of the reference itself: the paper's
+  kIdentity,  ///< the pose of the keyframe itself: the paper's
 };
 
 /// When a tracked frame becomes the new keyframe.
@@ -53,6 +53,9 @@ struct TrackerOptions {
 [[nodiscard]] OptionSet describe(KeyframeOptions& options);
 [[nodiscard]] OptionSet describe(LostOptions& options);
 [[nodiscard]] OptionSet describe(TrackerOptions& options);
+
+/// Throws OptionError where options that are each in range contradict one another.
+void check_consistency(const TrackerOptions& options);
 
 /// The paper's whole protocol: previous frame as reference, identity start, gradient flow, linear
 /// colour kernel, edge points, and its table of constants.

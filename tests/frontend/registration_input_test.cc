@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gmock/gmock.h>
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
@@ -119,6 +120,32 @@ TEST_P(RegistrationInput, APlaneOfPointsHoldsThePose) {
   EXPECT_NE(result.status, RegistrationStatus::kFailed);
   expect_finite(result);
   EXPECT_EQ(result.overlap, 1.0);
+}
+
+TEST_P(RegistrationInput, InformationIsPositiveDefiniteAwayFromAMaximumToo) {
+  options_.max_iterations = {1};
+  for (const double distance : {0.0, 0.02, 0.05, 0.1}) {
+    const PointCloud moving = transformed(cloud_, motion(distance, distance, 0, 0, 0, distance));
+    const auto result = run(cloud_, moving);
+    ASSERT_NE(result.status, RegistrationStatus::kFailed);
+    const Eigen::LLT<Eigen::MatrixXd> llt(result.information);
+    EXPECT_EQ(llt.info(), Eigen::Success) << distance;
+  }
+}
+
+TEST_P(RegistrationInput, BlackPointsOverlapButHoldNothingUnderTheLinearKernel) {
+  options_.kernel.color_kernel = ColorKernel::kLinear;
+  PointCloud half_black = cloud_;
+  for (std::size_t i = 0; i < cloud_.size(); i += 2) {
+    for (std::size_t f = 0; f < 3; ++f) half_black.features[f][i] = 0;
+  }
+  // Overlap is about neighbours, whatever their colours.
+  EXPECT_EQ(run(cloud_, half_black).overlap, 1.0);
+}
+
+TEST_P(RegistrationInput, ContradictingOptionsAreRefused) {
+  options_.kernel.sparsification = 0.5;
+  EXPECT_THROW(run(cloud_, cloud_), OptionError);
 }
 
 TEST_P(RegistrationInput, CosThetaStaysInTheUnitIntervalOnALattice) {

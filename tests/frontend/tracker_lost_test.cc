@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Frames that cannot be tracked, and what comes after them.
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -95,9 +96,42 @@ TEST_F(LostFrames, BadImagesBeforeTheFirstGoodOneStartNothing) {
 TEST_F(LostFrames, StampsMustAscend) {
   expect_tracked(track(0));
   expect_tracked(track(2));
-  expect_lost(track(1), "its stamp is not after the stamp 100.066667 of the frame before it");
+  expect_lost(track(1), "its stamp is not after the stamp 100.066667 of the last tracked frame");
   expect_lost(track(2), "its stamp is not after");
   expect_tracked(track(3));
+}
+
+TEST_F(LostFrames, OneStampFromTheFutureDoesNotLoseAllThatFollow) {
+  options_.lost.restart_after = 3;
+  options_.lost.max_speed = options_.lost.max_angular_speed = 1000;
+  use(options_);
+  expect_tracked(track(0));
+  expect_tracked(track_changed(1, [](auto& f) { f.stamp = Timestamp::from_seconds(1e6); }));
+  for (const std::size_t i : {2U, 3U}) expect_lost(track(i), "its stamp is not after");
+  const FrameRecord restarted = track(4);
+  EXPECT_EQ(restarted.status, TrackingStatus::kTracked);
+  EXPECT_EQ(restarted.segment, 1);
+  EXPECT_EQ(track(5).status, TrackingStatus::kTracked);
+}
+
+TEST_F(LostFrames, AFrameThatNeedsTheLastOneAsKeyframeSaysSo) {
+  // An overlap that only neighbouring frames have. Indices are not needed to tell frames apart.
+  options_.keyframe = {.min_overlap = 0, .max_translation = 100, .max_rotation = 4};
+  use(options_);
+  expect_tracked(track(0));
+  double overlap = 1;
+  for (std::size_t i = 1; i < 6; ++i) overlap = track(i).registration.overlap;
+  options_.lost.min_overlap = overlap + 0.01;
+  use(options_);
+  std::vector<FrameRecord> records;
+  for (std::size_t i = 0; i < 6; ++i) records.push_back(track(i));
+  const auto promoted =
+      std::find_if(records.begin(), records.end(),
+                   [](const FrameRecord& record) { return record.promoted_keyframe.has_value(); });
+  ASSERT_NE(promoted, records.end());
+  EXPECT_EQ(*promoted->promoted_keyframe, promoted->index - 1);
+  EXPECT_EQ(promoted->keyframe, promoted->index - 1);
+  expect_tracked(*promoted);
 }
 
 TEST_F(LostFrames, AJumpToAnotherPlaceIsLostAndTheWayBackIsFound) {
@@ -159,6 +193,9 @@ TEST_F(LostFrames, ANewSegmentStartsAfterTooManyInARow) {
   }
   EXPECT_EQ(records[4].keyframe, 4U);
   EXPECT_EQ(records[4].keyframe_reason, "start of a segment");
+  // What was tried and refused before is not the registration of this frame.
+  EXPECT_EQ(records[4].registration.iterations, 0);
+  EXPECT_EQ(records[4].registration.T_fixed_moving.matrix(), SE3().matrix());
 
   // Five frames against two: the second segment is the trajectory.
   const Trajectory trajectory = to_trajectory(records);
