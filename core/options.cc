@@ -55,19 +55,34 @@ T parse_in_range(const std::string& key, std::string_view text, const Range<T>& 
   return *value;
 }
 
-std::vector<double> parse_list(const std::string& key, std::string_view text,
-                               const Range<double>& range) {
-  const std::string allowed = fmt::format("a list [a, b, ...] of values {}", describe_range(range));
+template <typename T>
+std::string describe_list(const Range<T>& range) {
+  return fmt::format("a list [a, b, ...] of values {}", describe_range(range));
+}
+
+template <typename T>
+std::vector<T> parse_list(const std::string& key, std::string_view text, const Range<T>& range) {
+  const std::string allowed = describe_list(range);
   std::string_view rest = trim(text);
   if (rest.size() < 2 || rest.front() != '[' || rest.back() != ']') fail(key, text, allowed);
   rest = rest.substr(1, rest.size() - 2);
-  std::vector<double> values;
+  std::vector<T> values;
   while (true) {
     const std::size_t comma = rest.find(',');
     values.push_back(parse_in_range(key, rest.substr(0, comma), range));
     if (comma == std::string_view::npos) return values;
     rest.remove_prefix(comma + 1);
   }
+}
+
+template <typename T>
+Option list_option(const std::string& key, std::vector<T>& value, const Range<T>& range,
+                   std::string unit, std::string doc) {
+  const auto set = [&value, key, range](std::string_view text) {
+    value = parse_list(key, text, range);
+  };
+  const auto get = [&value] { return fmt::format("[{}]", fmt::join(value, ", ")); };
+  return {key, std::move(unit), describe_list(range), std::move(doc), get, set};
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -126,14 +141,15 @@ OptionSet& OptionSet::add(const std::string& key, double& value, Range<double> r
   return *this;
 }
 
+OptionSet& OptionSet::add(const std::string& key, std::vector<int>& value, Range<int> range,
+                          std::string unit, std::string doc) {
+  options_.push_back(list_option(key, value, range, std::move(unit), std::move(doc)));
+  return *this;
+}
+
 OptionSet& OptionSet::add(const std::string& key, std::vector<double>& value, Range<double> range,
                           std::string unit, std::string doc) {
-  const auto set = [&value, key, range](std::string_view text) {
-    value = parse_list(key, text, range);
-  };
-  options_.push_back({key, std::move(unit), fmt::format("list, {}", describe_range(range)),
-                      std::move(doc),
-                      [&value] { return fmt::format("[{}]", fmt::join(value, ", ")); }, set});
+  options_.push_back(list_option(key, value, range, std::move(unit), std::move(doc)));
   return *this;
 }
 

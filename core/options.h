@@ -46,6 +46,8 @@ class OptionSet {
   OptionSet& add(const std::string& key, double& value, Range<double> range, std::string unit,
                  std::string doc);
   /// A list is written "[a, b, c]"; `range` holds for each element; it must not be empty.
+  OptionSet& add(const std::string& key, std::vector<int>& value, Range<int> range,
+                 std::string unit, std::string doc);
   OptionSet& add(const std::string& key, std::vector<double>& value, Range<double> range,
                  std::string unit, std::string doc);
   template <typename E>

@@ -17,6 +17,7 @@ enum class Solver { kFlow, kNewton };
 struct Inner {
   double radius = 0.5;
   std::vector<double> scales = {0.1, 0.05};
+  std::vector<int> iterations = {40, 20};
 };
 
 struct Outer {
@@ -29,7 +30,8 @@ struct Outer {
 OptionSet describe(Inner& o) {
   return OptionSet()
       .add("radius", o.radius, {0, 1}, "m", "A radius.")
-      .add("scales", o.scales, {1e-3, 1}, "m", "Scales.");
+      .add("scales", o.scales, {1e-3, 1}, "m", "Scales.")
+      .add("iterations", o.iterations, {1, 100}, "", "Iterations at each scale.");
 }
 
 OptionSet describe(Outer& o) {
@@ -57,12 +59,15 @@ TEST(OptionSet, SetsAndGetsEveryKind) {
   options.set("solver", "flow");
   options.set("inner.radius", "0.25");
   options.set("inner.scales", "[0.2, 0.1,0.05]");
+  options.set("inner.iterations", "[30,10, 5]");
   EXPECT_TRUE(outer.verbose);
   EXPECT_EQ(outer.count, 7);
   EXPECT_EQ(outer.solver, Solver::kFlow);
   EXPECT_EQ(outer.inner.radius, 0.25);
   EXPECT_THAT(outer.inner.scales, testing::ElementsAre(0.2, 0.1, 0.05));
-  for (const char* key : {"verbose", "count", "solver", "inner.radius", "inner.scales"}) {
+  EXPECT_THAT(outer.inner.iterations, testing::ElementsAre(30, 10, 5));
+  for (const char* key :
+       {"verbose", "count", "solver", "inner.radius", "inner.scales", "inner.iterations"}) {
     const std::string text = options.get(key);
     options.set(key, text);
     EXPECT_EQ(options.get(key), text);
@@ -87,6 +92,11 @@ TEST(OptionSet, RejectsBadValuesAndKeepsTheOldOne) {
   }
   for (const char* bad : {"[]", "0.1", "[0.1", "[0.1,]", "[5]"}) {
     EXPECT_NE(error_of(options, "inner.scales", bad), "no error") << bad;
+  }
+  for (const char* bad : {"[]", "[0]", "[1, 2.5]", "[1, 101]", "7"}) {
+    EXPECT_EQ(error_of(options, "inner.iterations", bad),
+              "inner.iterations=" + std::string(bad) +
+                  ": the value must be a list [a, b, ...] of values 1 to 100");
   }
   EXPECT_EQ(outer.inner.radius, 0.5);
   EXPECT_EQ(outer.count, 3);
