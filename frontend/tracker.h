@@ -31,8 +31,11 @@ struct FrameRecord {
   /// Segments are not connected to each other: a new one starts where tracking resumes after too
   /// long a loss.
   int segment = 0;
-  std::size_t keyframe = 0;         ///< index of the frame it was registered against
-  std::string keyframe_reason;      ///< why it became a keyframe itself; empty where it did not
+  std::size_t keyframe = 0;     ///< index of the frame it was registered against
+  std::string keyframe_reason;  ///< why it became a keyframe itself; empty where it did not
+  /// An earlier frame that was made the keyframe because this one could not be registered against
+  /// the one there was; empty as a rule.
+  std::optional<std::size_t> promoted_keyframe;
   std::size_t points = 0;           ///< points selected
   RegistrationResult registration;  ///< against the keyframe; T_fixed_moving = T_keyframe_camera
 };
