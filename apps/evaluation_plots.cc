@@ -3,6 +3,8 @@
 #include "cvo_slam/apps/evaluation_plots.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <iterator>
 
 #include "cvo_slam/io/file_output.h"
@@ -30,11 +32,13 @@ std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
 /// the estimate's stamps to the reference's.
 std::vector<StampedPose> during(const std::vector<StampedPose>& reference,
                                 const std::vector<StampedPose>& estimate, double offset) {
+  const std::int64_t shift = std::llround(offset * 1e9);
+  const std::int64_t begin = estimate.front().stamp.nanoseconds() + shift;
+  const std::int64_t end = estimate.back().stamp.nanoseconds() + shift;
   std::vector<StampedPose> part;
   std::copy_if(reference.begin(), reference.end(), std::back_inserter(part),
                [&](const StampedPose& pose) {
-                 return pose.stamp - estimate.front().stamp >= offset &&
-                        pose.stamp - estimate.back().stamp <= offset;
+                 return pose.stamp.nanoseconds() >= begin && pose.stamp.nanoseconds() <= end;
                });
   return part.empty() ? reference : part;
 }

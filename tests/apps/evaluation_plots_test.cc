@@ -17,8 +17,7 @@ TEST(EvaluationPlots, AnEstimateOfAnotherClockIsDrawnOverTheSamePartOfTheReferen
   auto delayed = estimate;
   for (auto& pose : delayed) pose.stamp = Timestamp(pose.stamp.nanoseconds() + 100'000'000'000);
 
-  write_evaluation_plots(folder.path() / "same", reference, estimate,
-                         evaluate(reference, estimate));
+  write_evaluation_plots(folder.path() / "same", estimate, estimate, evaluate(estimate, estimate));
   write_evaluation_plots(folder.path() / "other", reference, delayed,
                          evaluate(reference, delayed, {.association = {.time_offset = -100}}));
   EXPECT_EQ(read_text(folder.path() / "other" / "trajectory.svg"),
