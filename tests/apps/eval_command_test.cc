@@ -46,7 +46,7 @@ class EvalCommand : public testing::Test {
 TEST_F(EvalCommand, AFullStdoutIsAnError) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"eval", reference_, estimate_, "--json"}, {"--version"}}) {
-    expect_error(run_program(arguments, {.output = "/dev/full", .errors = ""}), 1, "");
+    expect_error(run_program(arguments, {.output = "/dev/full"}), 1, "");
   }
 }
 

@@ -23,8 +23,8 @@ struct ProgramResult {
 
 /// Other places for what the program writes; empty = a file whose text the result holds.
 struct ProgramStreams {
-  std::string output;
-  std::string errors;
+  std::string output = {};
+  std::string errors = {};
 };
 
 /// Runs the built program with these arguments and waits for its end; stdin is empty.
