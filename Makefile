@@ -34,7 +34,6 @@ help: ## This list
 
 .PHONY: demo
 demo: program $(if $(DATASET),,$(ROOM)/groundtruth.txt) ## Run on a synthetic room, or on DATASET=path
-	@rm -f "$(OUT)"/*.png
 	$(PROGRAM) run "$(or $(DATASET),$(ROOM))" --mode odometry --out "$(OUT)"
 	@echo
 	@echo "Pictures:"

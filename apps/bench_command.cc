@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,6 +16,7 @@
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/tum_trajectory.h"
 
 namespace cvo_slam {
@@ -33,16 +33,12 @@ struct BenchArguments {
 TrackerOptions tracker_options(const TrackingArguments& arguments) {
   const TrackerOptions options = arguments.options().tracker;
   if (options.threads != 1) {
-    throw OptionError("bench odometry compares single threads: leave out --threads");
+    throw OptionError(
+        fmt::format("tracker.threads={}: bench odometry compares single threads; leave out the "
+                    "option tracker.threads and --threads",
+                    options.threads));
   }
   return options;
-}
-
-/// Made before the work, so that an unusable folder is known at once.
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError(folder, "cannot be made a folder: " + error.message());
 }
 
 void write_trajectories(const std::filesystem::path& folder, const OdometryBenchmark& benchmark) {
@@ -56,6 +52,7 @@ int bench_odometry(const BenchArguments& arguments) {
   const auto data = arguments.tracking.open();
   const FrameRange frames = arguments.tracking.range(data->size());
   const auto contestants = make_contestants(arguments.systems, data->camera(), options);
+  // Before the work, so that an unusable folder is known at once.
   if (!arguments.out.empty()) make_folder(arguments.out);
 
   cv::setNumThreads(1);  // for the whole process, which is this program's own

@@ -3,10 +3,11 @@
 #include "cvo_slam/apps/evaluation_plots.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <iterator>
-#include <system_error>
 
-#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/plot/plot_file.h"
 #include "cvo_slam/io/plot/trajectory_plot.h"
 
@@ -27,13 +28,17 @@ std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
   return curves;
 }
 
-/// The part of the reference from the estimate's begin to its end.
+/// The part of the reference from the estimate's begin to its end; `offset` [s] is what leads from
+/// the estimate's stamps to the reference's.
 std::vector<StampedPose> during(const std::vector<StampedPose>& reference,
-                                const std::vector<StampedPose>& estimate) {
+                                const std::vector<StampedPose>& estimate, double offset) {
+  const std::int64_t shift = std::llround(offset * 1e9);
+  const std::int64_t begin = estimate.front().stamp.nanoseconds() + shift;
+  const std::int64_t end = estimate.back().stamp.nanoseconds() + shift;
   std::vector<StampedPose> part;
   std::copy_if(reference.begin(), reference.end(), std::back_inserter(part),
                [&](const StampedPose& pose) {
-                 return pose.stamp >= estimate.front().stamp && pose.stamp <= estimate.back().stamp;
+                 return pose.stamp.nanoseconds() >= begin && pose.stamp.nanoseconds() <= end;
                });
   return part.empty() ? reference : part;
 }
@@ -44,12 +49,11 @@ void write_evaluation_plots(const std::filesystem::path& folder,
                             const std::vector<StampedPose>& reference,
                             const std::vector<StampedPose>& estimate,
                             const EvaluationReport& report) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError(folder, "cannot be made a folder: " + error.message());
+  make_folder(folder);
   const Similarity alignment = report.ate ? report.ate->alignment : Similarity();
-  write_figure(folder / "trajectory",
-               trajectory_figure(during(reference, estimate), transformed(alignment, estimate)));
+  const double offset = report.options.association.time_offset;
+  write_figure(folder / "trajectory", trajectory_figure(during(reference, estimate, offset),
+                                                        transformed(alignment, estimate)));
   write_figure(folder / "errors", error_figure(curves_of(report)));
 }
 

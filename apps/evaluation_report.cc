@@ -16,18 +16,6 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-std::string_view name_of(Alignment alignment) {
-  switch (alignment) {
-    case Alignment::kNone:
-      return "none";
-    case Alignment::kSe3:
-      return "se3";
-    case Alignment::kSim3:
-      return "sim3";
-  }
-  return "";
-}
-
 void scale_estimate(std::vector<MatchedPose>& matches, double scale) {
   const Similarity scaling{SE3(), scale};
   for (auto& match : matches) match.estimate = scaling * match.estimate;
@@ -122,6 +110,18 @@ EvaluationReport evaluate(const std::vector<StampedPose>& reference,
     throw DataError(fmt::format("nothing to evaluate; {}", fmt::join(report.notes, "; ")));
   }
   return report;
+}
+
+std::string_view name_of(Alignment alignment) {
+  switch (alignment) {
+    case Alignment::kNone:
+      return "none";
+    case Alignment::kSe3:
+      return "se3";
+    case Alignment::kSim3:
+      return "sim3";
+  }
+  return "";
 }
 
 std::string label_of(const RelativePoseOptions& options) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -46,6 +47,9 @@ struct EvaluationReport {
 [[nodiscard]] EvaluationReport evaluate(const std::vector<StampedPose>& reference,
                                         const std::vector<StampedPose>& estimate,
                                         const EvaluationOptions& options = {});
+
+/// "none", "se3" or "sim3", as on the command line.
+[[nodiscard]] std::string_view name_of(Alignment alignment);
 
 /// "RPE 1 s", "RPE 0.5 m", "RPE 1 frame": how tables and plots call a relative error.
 [[nodiscard]] std::string label_of(const RelativePoseOptions& options);

@@ -65,8 +65,8 @@ const Entry& find_entry(const std::string& name) {
   const auto found = std::find_if(entries().begin(), entries().end(),
                                   [&](const Entry& entry) { return entry.name == name; });
   if (found != entries().end()) return *found;
-  throw OptionError(fmt::format("--systems: unknown system '{}'; did you mean '{}'?", name,
-                                nearest_name(name, odometry_system_names())));
+  throw OptionError(fmt::format("--systems: unknown system '{}'; {}", name,
+                                suggestion(name, odometry_system_names())));
 }
 
 }  // namespace
@@ -82,6 +82,9 @@ std::vector<Contestant> make_contestants(const std::vector<std::string>& names,
   std::vector<Contestant> contestants;
   for (const std::string& name : names) {
     const Entry& entry = find_entry(name);
+    if (std::count(names.begin(), names.end(), name) > 1) {
+      throw OptionError(fmt::format("--systems: '{}' is named twice; name each system once", name));
+    }
     contestants.push_back({entry.name, entry.description, entry.make(camera, options)});
   }
   return contestants;

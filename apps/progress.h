@@ -9,12 +9,17 @@
 namespace cvo_slam {
 
 /// Reports on stderr how far a run is: a bar with fps and ETA on a terminal, elsewhere a plain line
-/// at every tenth of the way.
+/// at every tenth of the way. Never fails: a stderr that cannot be written is no reason to end a
+/// run.
 class Progress {
  public:
   Progress(std::size_t total, bool quiet);
+  /// Ends the bar's line where the way was not gone to its end.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
-  /// `done` of the frames are through; `state` is a word on the last one.
+  /// `done` of the frames are through; `state` is a word on the last one, or empty.
   void update(std::size_t done, const std::string& state);
 
  private:
@@ -22,7 +27,7 @@ class Progress {
 
   void draw_bar(std::size_t done, const std::string& state);
   void print_line(std::size_t done, const std::string& state);
-  [[nodiscard]] std::string speed(std::size_t done) const;
+  [[nodiscard]] std::string summary(std::size_t done, const std::string& state) const;
 
   std::size_t total_;
   bool quiet_;
@@ -30,6 +35,7 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_drawn_;
   std::size_t tenths_ = 0;
+  bool within_line_ = false;
 };
 
 }  // namespace cvo_slam

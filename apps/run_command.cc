@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ctime>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -14,7 +15,7 @@
 #include "cvo_slam/apps/odometry_run.h"
 #include "cvo_slam/apps/run_report.h"
 #include "cvo_slam/apps/tracking_arguments.h"
-#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/tum_trajectory.h"
 
@@ -31,25 +32,55 @@ struct RunArguments {
   bool dump_config = false;
 };
 
-/// results/<sequence>/<time>, with a link `latest` beside it.
-std::filesystem::path default_folder(const std::string& sequence) {
-  const auto parent = std::filesystem::path("results") / sequence;
-  const auto name = fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::localtime(std::time(nullptr)));
-  std::error_code error;
-  std::filesystem::create_directories(parent / name, error);
-  const auto link = parent / "latest";
-  // Where a user put a file of that name, it stays.
-  if (std::filesystem::is_symlink(link)) std::filesystem::remove(link, error);
-  std::filesystem::create_directory_symlink(name, link, error);
-  return parent / name;
+/// Makes a folder that was not there: `name` in `parent`, or `name`_2, `name`_3, ...
+std::filesystem::path make_new_folder(const std::filesystem::path& parent,
+                                      const std::string& name) {
+  auto folder = parent / name;
+  for (int i = 2; !make_folder(folder); ++i) folder = parent / fmt::format("{}_{}", name, i);
+  return folder;
 }
 
-/// Makes the folder and proves that it can be written to, before hours of work go into it.
+/// results/<sequence>/<time>, with a link `latest` beside it where a link can be made.
+std::filesystem::path default_folder(const std::string& sequence) {
+  const auto parent = std::filesystem::path("results") / sequence;
+  const auto time = fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::localtime(std::time(nullptr)));
+  const auto folder = make_new_folder(parent, time);
+  const auto link = parent / "latest";
+  std::error_code ignored;
+  // Where a user put a file of that name, it stays.
+  if (std::filesystem::is_symlink(link, ignored)) std::filesystem::remove(link, ignored);
+  std::filesystem::create_directory_symlink(folder.filename(), link, ignored);
+  return folder;
+}
+
+/// Makes the folder, without files of an earlier run, and proves that it can be written to before
+/// hours of work go into it.
 void prepare_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError(folder, "cannot be made a folder: " + error.message());
+  make_folder(folder);
+  remove_run(folder);
   write_tum(folder / "trajectory.txt", {});
+}
+
+void print_result(const RunArguments& arguments, const RunReport& report,
+                  const std::filesystem::path& folder) {
+  if (arguments.json) {
+    fmt::print("{}\n", to_json(report).dump(2));
+  } else if (!arguments.quiet) {
+    fmt::print("{}{:<12} {}\n", to_table(report), "files", folder.string());
+  }
+}
+
+/// Writes the files and prints the figures, these even where a file cannot be written.
+void deliver(const RunArguments& arguments, const RunReport& report,
+             const std::filesystem::path& folder) {
+  std::exception_ptr failure;
+  try {
+    write_run(folder, report);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  print_result(arguments, report, folder);
+  if (failure) std::rethrow_exception(failure);
 }
 
 int run(const RunArguments& arguments) {
@@ -68,13 +99,7 @@ int run(const RunArguments& arguments) {
   report.run = run_odometry(*data, range, options.tracker, arguments.quiet, interrupt);
   report.trajectory = to_trajectory(report.run.records);
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
-  write_run(folder, report);
-
-  if (arguments.json) {
-    fmt::print("{}\n", to_json(report).dump(2));
-  } else if (!arguments.quiet) {
-    fmt::print("{}{:<12} {}\n", to_table(report), "files", folder.string());
-  }
+  deliver(arguments, report, folder);
   if (report.run.interrupted) return kInterrupted;
   return report.run.lost_share() > arguments.max_lost ? kTrackingLost : kDone;
 }

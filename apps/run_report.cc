@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/run_report.h"
 
-#include <algorithm>
+#include <array>
 #include <numbers>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/evaluation_plots.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/statistics.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/tum_trajectory.h"
@@ -15,17 +18,23 @@
 namespace cvo_slam {
 namespace {
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double median_cost(const OdometryRun& run, double FrameCost::*cost) {
   std::vector<double> values;
   for (const auto& frame : run.costs) values.push_back(frame.*cost);
-  return median(values);
+  return summarize(values).median;
+}
+
+/// Empty where the frame was not registered at all, as the first one.
+std::string_view registration_word(const RegistrationResult& result) {
+  switch (result.status) {
+    case RegistrationStatus::kConverged:
+      return "converged";
+    case RegistrationStatus::kIterationLimit:
+      return "iteration_limit";
+    case RegistrationStatus::kFailed:
+      return result.reason.empty() ? "" : "failed";
+  }
+  return "";
 }
 
 std::string quoted(const std::string& text) {
@@ -47,9 +56,15 @@ Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
   return trajectory;
 }
 
+/// An option's text as a number, a truth value or a list where it is one.
+nlohmann::ordered_json to_json(const std::string& text) {
+  auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+  return json.is_discarded() ? nlohmann::ordered_json(text) : json;
+}
+
 nlohmann::ordered_json options_json(ProgramOptions options) {
   nlohmann::ordered_json json;
-  for (const auto& option : describe(options).options()) json[option.key] = option.get();
+  for (const auto& option : describe(options).options()) json[option.key] = to_json(option.get());
   return json;
 }
 
@@ -58,7 +73,8 @@ std::string error_rows(const EvaluationReport& evaluation) {
   std::string rows;
   if (evaluation.ate) {
     rows += fmt::format("{:<12} {:.4f} m after {} alignment, {} poses\n", "ATE",
-                        evaluation.ate->statistics.translation.rmse, "se3", evaluation.matches);
+                        evaluation.ate->statistics.translation.rmse,
+                        name_of(evaluation.options.alignment), evaluation.matches);
   }
   for (const auto& relative : evaluation.relative) {
     if (!relative.error) continue;
@@ -126,18 +142,36 @@ std::string to_table(const RunReport& report) {
 
 std::string frames_csv(const OdometryRun& run) {
   std::string csv =
-      "index,stamp,status,reason,segment,keyframe,keyframe_reason,points,overlap,cos_theta,"
-      "iterations,read_ms,track_ms\n";
+      "index,stamp,status,reason,segment,keyframe,keyframe_reason,points,registration,overlap,"
+      "cos_theta,iterations,read_ms,track_ms\n";
   for (std::size_t i = 0; i < run.records.size(); ++i) {
     const FrameRecord& r = run.records[i];
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{:.3f},{:.3f}\n", r.index,
-                    r.stamp.to_string(), r.status == TrackingStatus::kTracked ? "tracked" : "lost",
-                    quoted(r.reason), r.segment, r.keyframe, quoted(r.keyframe_reason), r.points,
-                    r.registration.overlap, r.registration.cos_theta, r.registration.iterations,
-                    run.costs[i].read_ms, run.costs[i].track_ms);
+    csv += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{:.3f},{:.3f}\n", r.index, r.stamp.to_string(),
+        r.status == TrackingStatus::kTracked ? "tracked" : "lost", quoted(r.reason), r.segment,
+        r.keyframe, quoted(r.keyframe_reason), r.points, registration_word(r.registration),
+        r.registration.overlap, r.registration.cos_theta, r.registration.iterations,
+        run.costs[i].read_ms, run.costs[i].track_ms);
   }
   return csv;
+}
+
+void remove_run(const std::filesystem::path& folder) {
+  constexpr std::array kFiles = {
+      "trajectory.txt", "trajectory_online.txt", "frames.csv", "config.yaml", "report.json",
+      "trajectory.png", "trajectory.svg",        "errors.png", "errors.svg"};
+  for (const char* name : kFiles) {
+    const auto file = folder / name;
+    std::error_code error;
+    // A folder of that name is not a run's.
+    if (std::filesystem::is_directory(std::filesystem::symlink_status(file, error))) continue;
+    std::filesystem::remove(file, error);
+    if (error) {
+      throw OutputError(file, fmt::format("cannot be removed: {}; choose another folder or check "
+                                          "its permissions",
+                                          error.message()));
+    }
+  }
 }
 
 void write_run(const std::filesystem::path& folder, const RunReport& report) {

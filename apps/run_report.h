@@ -35,6 +35,10 @@ struct RunReport {
 /// One line a frame.
 [[nodiscard]] std::string frames_csv(const OdometryRun& run);
 
+/// Removes the files that an earlier run left in `folder`, so that none is taken for one of the
+/// next run; other files stay. Throws OutputError.
+void remove_run(const std::filesystem::path& folder);
+
 /// Writes every file of a run into `folder`, which exists: trajectory.txt, trajectory_online.txt,
 /// frames.csv, config.yaml, report.json, and the plots. Throws OutputError.
 void write_run(const std::filesystem::path& folder, const RunReport& report);

@@ -4,13 +4,14 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/progress.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/synthetic/sequence.h"
 #include "cvo_slam/io/synthetic/world.h"
@@ -36,15 +37,6 @@ void parse_size(const std::string& text, synthetic::SequenceOptions& options) {
   }
 }
 
-void print_progress(std::size_t done, std::size_t total) {
-  const bool last = done == total;
-  if (isatty(STDERR_FILENO) != 0) {
-    fmt::print(stderr, "\rframe {} / {}{}", done, total, last ? "\n" : "");
-  } else if (last) {
-    fmt::print(stderr, "frame {} / {}\n", done, total);
-  }
-}
-
 int synth(SynthArguments arguments, bool frames_given) {
   parse_size(arguments.size, arguments.sequence);
   if (arguments.image == "jpeg") arguments.sequence.image = synthetic::ImageFormat::kJpeg;
@@ -55,8 +47,13 @@ int synth(SynthArguments arguments, bool frames_given) {
     arguments.sequence.frames = static_cast<std::size_t>(arguments.frames);
   }
   const auto start = std::chrono::steady_clock::now();
+  std::optional<Progress> progress;  // made when the number of frames is known
+  const auto report_progress = [&progress](std::size_t done, std::size_t total) {
+    if (!progress) progress.emplace(total, false);
+    progress->update(done, "");
+  };
   const auto summary = synthetic::write_sequence(arguments.folder, arguments.sequence,
-                                                 arguments.threads, print_progress);
+                                                 arguments.threads, report_progress);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   fmt::print("{}: {} frames, {:.1f} s, path {:.2f} m, made in {:.1f} s ({:.1f} fps)\n",
              arguments.folder, summary.frames, summary.seconds, summary.path_length,

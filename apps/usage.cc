@@ -47,9 +47,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 std::string unknown(const std::string& kind, const std::string& word,
                     const std::vector<std::string>& candidates) {
-  const std::string nearest = nearest_name(word, candidates);
-  if (nearest.empty()) return fmt::format("unknown {} '{}'", kind, word);
-  return fmt::format("unknown {} '{}'; did you mean '{}'?", kind, word, nearest);
+  return fmt::format("unknown {} '{}'; {}", kind, word, suggestion(word, candidates));
 }
 
 std::string leftover_problem(const CLI::App& app, const std::string& word) {

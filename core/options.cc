@@ -103,11 +103,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
-  const auto nearest =
-      std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-        return edit_distance(word, a) < edit_distance(word, b);
-      });
-  return nearest == candidates.end() ? std::string() : *nearest;
+  std::size_t best = (word.size() + 1) / 2 + 1;
+  std::string nearest;
+  for (const auto& candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= best) continue;
+    best = distance;
+    nearest = candidate;
+  }
+  return nearest;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string nearest = nearest_name(word, candidates);
+  if (!nearest.empty()) return fmt::format("did you mean '{}'?", nearest);
+  return fmt::format("there are: {}", fmt::join(candidates, ", "));
 }
 
 OptionSet& OptionSet::add(const std::string& key, bool& value, std::string doc) {
@@ -185,8 +195,11 @@ const Option& OptionSet::find(std::string_view key) const {
   if (found != options_.end()) return *found;
   std::vector<std::string> keys;
   for (const auto& option : options_) keys.push_back(option.key);
-  throw OptionError(
-      fmt::format("unknown option '{}'; did you mean '{}'?", key, nearest_name(key, keys)));
+  // Not suggestion(): there are too many options for a line.
+  const std::string nearest = nearest_name(key, keys);
+  throw OptionError(fmt::format(
+      "unknown option '{}'; {}", key,
+      nearest.empty() ? "see --dump-config" : fmt::format("did you mean '{}'?", nearest)));
 }
 
 std::string OptionSet::get(std::string_view key) const { return find(key).get(); }

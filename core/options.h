@@ -59,7 +59,7 @@ class OptionSet {
   /// Of a temporary set by value, so that `for (... : describe(x).options())` does not dangle.
   [[nodiscard]] std::vector<Option> options() && { return std::move(options_); }
   [[nodiscard]] std::string get(std::string_view key) const;
-  /// Throws OptionError for an unknown key (the message names the nearest one) or a bad value.
+  /// Throws OptionError for an unknown key (the message names a near one) or a bad value.
   void set(std::string_view key, std::string_view text) const;
   /// Throws OptionError where a value set by code instead of set() is out of range.
   void check() const;
@@ -87,8 +87,14 @@ OptionSet& OptionSet::add(const std::string& key, E& value, Choices<E> choices,
   return add_choice(key, std::move(names), index_of_value, set_index, doc);
 }
 
-/// The candidate with the smallest edit distance to `word`; empty where there is no candidate.
+/// The candidate with the smallest edit distance to `word`; empty where there is none or where even
+/// that differs in more than half of the word's letters (rounded up), so that it is no misspelling.
 [[nodiscard]] std::string nearest_name(std::string_view word,
                                        const std::vector<std::string>& candidates);
+
+/// What to do about an unknown word, for the end of a message: "did you mean 'run'?", or all the
+/// candidates where none is near.
+[[nodiscard]] std::string suggestion(std::string_view word,
+                                     const std::vector<std::string>& candidates);
 
 }  // namespace cvo_slam

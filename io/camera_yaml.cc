@@ -29,9 +29,8 @@ void check_known(const YAML::Node& map, const std::vector<std::string>& known, c
   for (const auto& entry : map) {
     const std::string& key = entry.first.Scalar();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    throw InputError(
-        file, line_of(entry.first),
-        fmt::format("unknown key '{}'; did you mean '{}'?", key, nearest_name(key, known)));
+    throw InputError(file, line_of(entry.first),
+                     fmt::format("unknown key '{}'; {}", key, suggestion(key, known)));
   }
 }
 

@@ -10,4 +10,8 @@ namespace cvo_slam {
 /// Writes the bytes as a file, replacing one that exists. Throws OutputError where not all arrive.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// Makes the folder, and those that it is in, where they are missing; answers whether it was.
+/// Throws OutputError.
+bool make_folder(const std::filesystem::path& folder);
+
 }  // namespace cvo_slam

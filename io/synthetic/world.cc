@@ -12,8 +12,8 @@ namespace cvo_slam::synthetic {
 
 World make_world(const std::string& name, std::uint32_t seed) {
   if (name == "room") return {room_scene(seed), room_path(seed)};
-  throw OptionError(fmt::format("scene '{}' is unknown; did you mean '{}'?", name,
-                                nearest_name(name, world_names())));
+  throw OptionError(
+      fmt::format("scene '{}' is unknown; {}", name, suggestion(name, world_names())));
 }
 
 std::vector<std::string> world_names() { return {"room"}; }

@@ -86,6 +86,16 @@ TEST_F(BenchCommand, RefusesThreadsWhoseTimeItDoesNotSee) {
   const ProgramResult result = bench({"--threads", "2"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("single threads"));
+  // The option may have come from a configuration file: it is named too.
+  EXPECT_THAT(bench({"--set", "tracker.threads=2"}).errors,
+              AllOf(HasSubstr("tracker.threads=2"), HasSubstr("--threads")));
+}
+
+TEST_F(BenchCommand, RefusesASystemNamedTwice) {
+  const ProgramResult result = bench({"--systems", "ours,icp,ours"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.errors,
+            "cvo_slam: error: --systems: 'ours' is named twice; name each system once\n");
 }
 
 TEST(BenchCommandLine, RefusesAMissingDatasetInOneLine) {

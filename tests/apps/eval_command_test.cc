@@ -43,6 +43,13 @@ class EvalCommand : public testing::Test {
   std::filesystem::path estimate_ = folder_.path() / "estimate.txt";
 };
 
+TEST_F(EvalCommand, AFullStdoutIsAnError) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"eval", reference_, estimate_, "--json"}, {"--version"}}) {
+    expect_error(run_program(arguments, {.output = "/dev/full"}), 1, "");
+  }
+}
+
 TEST_F(EvalCommand, PrintsATable) {
   const auto result = eval({});
   EXPECT_EQ(result.exit_code, 0);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,24 @@ class RunCommand : public testing::Test {
   }
 
   [[nodiscard]] ProgramResult run(const std::vector<std::string>& options,
-                                  const std::string& out = "out") const {
+                                  const std::string& out = "out",
+                                  const ProgramStreams& streams = {}) const {
     std::vector<std::string> arguments = {"run", sequence_, "--out", folder_.path() / out};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    return run_program(arguments);
+    return run_program(arguments, streams);
+  }
+
+  [[nodiscard]] bool has_file(const std::string& name) const {
+    return std::filesystem::exists(folder_.path() / "out" / name);
+  }
+
+  void expect_every_file() const {
+    for (const char* name :
+         {"trajectory.txt", "trajectory_online.txt", "frames.csv", "config.yaml", "report.json",
+          "trajectory.png", "trajectory.svg", "errors.png", "errors.svg"}) {
+      ASSERT_TRUE(has_file(name)) << name;
+      EXPECT_GT(file(name).size(), 100U) << name;
+    }
   }
 
   [[nodiscard]] std::string file(const std::string& name, const std::string& out = "out") const {
@@ -73,14 +88,11 @@ TEST_F(RunCommand, WritesEveryFileAndEndsWithATable) {
   EXPECT_THAT(result.output, AllOf(HasSubstr("ATE"), HasSubstr("RPE 1 frame"), HasSubstr("fps"),
                                    HasSubstr("lost         0.0 %"), HasSubstr("peak memory")));
   EXPECT_THAT(result.errors, HasSubstr("frame 12/12"));
-  for (const char* name :
-       {"trajectory.txt", "trajectory_online.txt", "frames.csv", "config.yaml", "report.json",
-        "trajectory.png", "trajectory.svg", "errors.png", "errors.svg"}) {
-    EXPECT_GT(file(name).size(), 100U) << name;
-  }
+  expect_every_file();
   EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), kFrames);
   const std::string csv = file("frames.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<long>(kFrames) + 1);
+  EXPECT_THAT(csv, AllOf(HasSubstr(",points,registration,"), HasSubstr(",converged,")));
 }
 
 TEST_F(RunCommand, ReportHoldsTheFiguresOfAnExactTracker) {
@@ -91,7 +103,10 @@ TEST_F(RunCommand, ReportHoldsTheFiguresOfAnExactTracker) {
   // The pixels of a 160x120 image are 1.5 cm wide at 2 m: the path is followed to a fraction of
   // one.
   EXPECT_LT(report["evaluation"]["ate"]["translation_m"]["rmse"], 0.005);
-  EXPECT_EQ(report["options"]["tracker.registration.solver"], "newton");
+  const auto& options = report["options"];
+  EXPECT_EQ(options["tracker.registration.solver"], "newton");
+  EXPECT_TRUE(options["tracker.points"].is_number_integer());
+  EXPECT_TRUE(options["tracker.registration.length_scales"][0].is_number());
 }
 
 TEST_F(RunCommand, SameBytesAgainAndWithTwoThreads) {
@@ -136,7 +151,45 @@ TEST_F(RunCommand, WithoutGroundTruthThereAreNoErrorsButEverythingElse) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(result.output, AllOf(HasSubstr("no ground truth"), Not(HasSubstr("ATE"))));
   EXPECT_GT(file("trajectory.png").size(), 1000U);
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out" / "errors.png"));
+  EXPECT_FALSE(has_file("errors.png"));
+}
+
+TEST_F(RunCommand, AUsedFolderKeepsNothingOfTheRunBeforeAndAllElse) {
+  ASSERT_EQ(run({"--quiet"}).exit_code, 0);
+  ASSERT_TRUE(has_file("errors.png"));
+  folder_.write("out/notes.txt", "mine");
+  std::filesystem::remove(sequence_ / "groundtruth.txt");
+  ASSERT_EQ(run({"--quiet"}).exit_code, 0);
+  EXPECT_FALSE(has_file("errors.png"));
+  EXPECT_FALSE(has_file("errors.svg"));
+  EXPECT_EQ(file("notes.txt"), "mine");
+}
+
+TEST_F(RunCommand, AFullStderrDoesNotStopIt) {
+  EXPECT_EQ(run({}, "out", {.errors = "/dev/full"}).exit_code, 0);
+  expect_every_file();
+}
+
+TEST_F(RunCommand, AClosedStderrDoesNotStopIt) {
+  const std::string command =
+      fmt::format("'{}' run '{}' --out '{}' >/dev/null 2>&-", CVO_SLAM_PROGRAM, sequence_.string(),
+                  (folder_.path() / "out").string());
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);
+  expect_every_file();
+}
+
+TEST_F(RunCommand, AFullStdoutIsAnErrorAfterTheFiles) {
+  expect_error(run({"--frames", "0:3", "--quiet", "--json"}, "out", {.output = "/dev/full"}), 1,
+               "");
+  EXPECT_GT(file("report.json").size(), 100U);
+}
+
+TEST_F(RunCommand, FiguresArePrintedEvenWhereAFileCannotBeWritten) {
+  folder_.write("out/trajectory.png/file", "in the way");
+  const auto result = run({"--frames", "0:3"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("trajectory.png"));
+  EXPECT_THAT(result.output, AllOf(HasSubstr("RPE 1 frame"), HasSubstr("fps")));
 }
 
 TEST_F(RunCommand, LostFramesAreMarkedAndTooManyAreExitCode3) {
@@ -183,6 +236,7 @@ TEST_F(RunCommand, BadInputIsOneLineAndExitCode2) {
 TEST_F(RunCommand, AnUnwritableFolderIsSaidBeforeTheWork) {
   const auto result = run_program({"run", sequence_, "--out", "/proc/cvo_slam"});
   expect_error(result, 1, "/proc/cvo_slam");
+  EXPECT_THAT(result.errors, HasSubstr("choose another folder or check its permissions"));
   const auto file_in_the_way = folder_.write("file", "");
   expect_error(run_program({"run", sequence_, "--out", file_in_the_way}), 1, "file");
 }
@@ -190,10 +244,16 @@ TEST_F(RunCommand, AnUnwritableFolderIsSaidBeforeTheWork) {
 TEST_F(RunCommand, TheDefaultFolderHasALinkToTheLatest) {
   const auto here = std::filesystem::current_path();
   std::filesystem::current_path(folder_.path());
-  const auto result = run_program({"run", sequence_, "--quiet"});
+  // So quick that most of them fall into the same second.
+  for (int i = 0; i < 4; ++i) {
+    const auto result = run_program({"run", sequence_, "--quiet", "--frames", "0:2"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+  }
   std::filesystem::current_path(here);
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_GT(read_text(folder_.path() / "results/room/latest/report.json").size(), 100U);
+  const auto results = folder_.path() / "results" / "room";
+  EXPECT_GT(read_text(results / "latest" / "report.json").size(), 100U);
+  const std::filesystem::directory_iterator entries(results);
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 5);  // four folders and the link
 }
 
 TEST_F(RunCommand, AnInterruptWritesWhatThereIs) {

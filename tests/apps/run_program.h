@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,20 @@ struct ProgramResult {
   std::string errors;  ///< what it wrote to stderr
 };
 
+/// Other places for what the program writes; empty = a file whose text the result holds.
+struct ProgramStreams {
+  std::string output = {};
+  std::string errors = {};
+};
+
 /// Runs the built program with these arguments and waits for its end; stdin is empty.
-inline ProgramResult run_program(const std::vector<std::string>& arguments) {
+inline ProgramResult run_program(const std::vector<std::string>& arguments,
+                                 const ProgramStreams& streams = {}) {
   const TemporaryFolder folder;
-  const std::string output = folder.path() / "stdout";
-  const std::string errors = folder.path() / "stderr";
+  const std::string output =
+      streams.output.empty() ? folder.path() / "stdout" : std::filesystem::path(streams.output);
+  const std::string errors =
+      streams.errors.empty() ? folder.path() / "stderr" : std::filesystem::path(streams.errors);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
@@ -46,7 +56,8 @@ inline ProgramResult run_program(const std::vector<std::string>& arguments) {
   int status = 0;
   waitpid(process, &status, 0);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, read_text(output), read_text(errors)};
+  return {code, streams.output.empty() ? read_text(output) : "",
+          streams.errors.empty() ? read_text(errors) : ""};
 }
 
 }  // namespace cvo_slam

@@ -58,6 +58,11 @@ TEST_F(Usage, AnUnknownCommandNamesTheNearest) {
             "unknown command 'trian'; did you mean 'train'? (see cvo_slam vocab --help)");
 }
 
+TEST_F(Usage, AnUnknownWordThatIsNearNothingGetsTheList) {
+  EXPECT_EQ(message_for("synthesize"),
+            "unknown command 'synthesize'; there are: run, vocab (see cvo_slam --help)");
+}
+
 TEST_F(Usage, AnUnknownOptionNamesTheNearest) {
   const std::string expected =
       "unknown option '--framse'; did you mean '--frames'? (see cvo_slam run --help)";

@@ -80,6 +80,20 @@ TEST(OptionSet, NamesTheNearestKey) {
             "unknown option 'inner.radus'; did you mean 'inner.radius'?");
 }
 
+TEST(OptionSet, NamesNoKeyThatIsNotNear) {
+  Outer outer;
+  EXPECT_EQ(error_of(describe(outer), "foo", "1"), "unknown option 'foo'; see --dump-config");
+}
+
+TEST(NearestName, DiffersInHalfOfTheLettersAtMost) {
+  EXPECT_EQ(nearest_name("rnu", {"eval", "run"}), "run");  // 2 of 3 letters, rounded up
+  EXPECT_EQ(nearest_name("rgdb", {"rgbd"}), "rgbd");       // 2 of 4
+  EXPECT_EQ(nearest_name("xgdb", {"rgbd"}), "");           // 3 of 4
+  EXPECT_EQ(nearest_name("run", {}), "");
+  EXPECT_EQ(suggestion("rnu", {"eval", "run"}), "did you mean 'run'?");
+  EXPECT_EQ(suggestion("synthesize", {"eval", "run"}), "there are: eval, run");
+}
+
 TEST(OptionSet, RejectsBadValuesAndKeepsTheOldOne) {
   Outer outer;
   const OptionSet options = describe(outer);
