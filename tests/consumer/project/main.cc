@@ -53,8 +53,8 @@ int main(int argc, char** argv) {
 
   // Four quarter turns of a circle end where they began, up to the nine digits of the file.
   const double gap = poses.back().T_world_camera.translation().norm();
-  const bool ok = poses.size() == 5 && gap < 1e-8 && missing_file_throws(folder) &&
-                  tracker_answers();
+  const bool ok =
+      poses.size() == 5 && gap < 1e-8 && missing_file_throws(folder) && tracker_answers();
   std::cout << poses.size() << " poses, the circle's gap is " << gap << " m\n";
   return ok ? 0 : 1;
 }
