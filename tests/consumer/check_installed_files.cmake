@@ -32,7 +32,9 @@ foreach(SCRIPT IN LISTS SCRIPTS)
   file(READ ${SCRIPT} TEXT)
   # ${PREFIX} itself lies in the build tree.
   string(REPLACE "${PREFIX}" "" TEXT "${TEXT}")
-  string(FIND "${TEXT}" "${SOURCE_DIR}" POSITION)
+  # Only where a path begins: a checkout in /cvo_slam is not meant by lib/cmake/cvo_slam.
+  string(REGEX REPLACE "[; ]" "\"" TEXT "${TEXT}")
+  string(FIND "${TEXT}" "\"${SOURCE_DIR}" POSITION)
   if(NOT POSITION EQUAL -1)
     message(SEND_ERROR "${SCRIPT}: names ${SOURCE_DIR}; an installation must stand alone")
   endif()

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/options_file.h"
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -107,9 +110,20 @@ TEST(OptionsToYaml, WritesEachMapOnceInTheOrderOfTheOptions) {
 TEST(OptionsToYaml, CommentsSayWhatUnitAndRange) {
   Settings settings;
   const std::string text = options_to_yaml(describe(settings), true);
-  EXPECT_THAT(text,
-              HasSubstr("  # A radius.\n  # In two lines.\n  # [m; any number]\n  radius: 0.5\n"));
+  // The documentation's own line breaks do not count: it is wrapped at 100 characters.
+  EXPECT_THAT(text, HasSubstr("  # A radius. In two lines.\n  # [m; any number]\n  radius: 0.5\n"));
   EXPECT_THAT(text, HasSubstr("# A count.\n# [at least 1]\ncount: 3\n"));
+}
+
+TEST(OptionsToYaml, LongCommentsAreWrapped) {
+  bool value = false;
+  std::string doc;
+  for (int i = 0; i < 40; ++i) doc += "word" + std::to_string(i) + " ";
+  std::istringstream lines(options_to_yaml(OptionSet().add("key", value, doc), true));
+  std::size_t longest = 0;
+  for (std::string line; std::getline(lines, line);) longest = std::max(longest, line.size());
+  EXPECT_LE(longest, 100U);
+  EXPECT_GT(longest, 90U);
 }
 
 TEST(OptionsToYaml, IsReadBackToTheLastDigit) {
