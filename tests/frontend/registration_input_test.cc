@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <Eigen/Cholesky>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"

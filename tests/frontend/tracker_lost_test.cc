@@ -125,9 +125,9 @@ TEST_F(LostFrames, AFrameThatNeedsTheLastOneAsKeyframeSaysSo) {
   use(options_);
   std::vector<FrameRecord> records;
   for (std::size_t i = 0; i < 6; ++i) records.push_back(track(i));
-  const auto promoted =
-      std::find_if(records.begin(), records.end(),
-                   [](const FrameRecord& record) { return record.promoted_keyframe.has_value(); });
+  const auto promoted = std::find_if(records.begin(), records.end(), [](const FrameRecord& record) {
+    return record.promoted_keyframe.has_value();
+  });
   ASSERT_NE(promoted, records.end());
   EXPECT_EQ(*promoted->promoted_keyframe, promoted->index - 1);
   EXPECT_EQ(promoted->keyframe, promoted->index - 1);
