@@ -33,12 +33,6 @@ double peak_memory_mb() {
 
 }  // namespace
 
-double OdometryRun::lost_share() const {
-  if (records.empty()) return 0;
-  const Trajectory trajectory = to_trajectory(records);
-  return static_cast<double>(trajectory.lost.size()) / static_cast<double>(records.size());
-}
-
 std::size_t OdometryRun::keyframes() const {
   return static_cast<std::size_t>(
       std::count_if(records.begin(), records.end(),

@@ -30,7 +30,6 @@ struct OdometryRun {
   double peak_memory_mb = 0;     ///< of the process so far
   bool interrupted = false;
 
-  [[nodiscard]] double lost_share() const;
   [[nodiscard]] std::size_t keyframes() const;
   [[nodiscard]] double fps() const;
 };

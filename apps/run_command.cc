@@ -101,7 +101,7 @@ int run(const RunArguments& arguments) {
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
   deliver(arguments, report, folder);
   if (report.run.interrupted) return kInterrupted;
-  return report.run.lost_share() > arguments.max_lost ? kTrackingLost : kDone;
+  return report.lost_share() > arguments.max_lost ? kTrackingLost : kDone;
 }
 
 }  // namespace

@@ -87,6 +87,11 @@ std::string error_rows(const EvaluationReport& evaluation) {
 
 }  // namespace
 
+double RunReport::lost_share() const {
+  if (run.records.empty()) return 0;
+  return static_cast<double>(trajectory.lost.size()) / static_cast<double>(run.records.size());
+}
+
 nlohmann::ordered_json to_json(const RunReport& report) {
   const OdometryRun& run = report.run;
   nlohmann::ordered_json json = {
@@ -128,7 +133,7 @@ std::string to_table(const RunReport& report) {
   table += fmt::format("{:<12} {:.1f} fps; read {:.1f} ms, track {:.1f} ms a frame (median)\n",
                        "speed", run.fps(), median_cost(run, &FrameCost::read_ms),
                        median_cost(run, &FrameCost::track_ms));
-  table += fmt::format("{:<12} {:.1f} % ({} of {} frames)\n", "lost", 100 * run.lost_share(),
+  table += fmt::format("{:<12} {:.1f} % ({} of {} frames)\n", "lost", 100 * report.lost_share(),
                        report.trajectory.lost.size(), run.records.size());
   table += fmt::format("{:<12} {}\n", "keyframes", run.keyframes());
   table += fmt::format("{:<12} {:.0f} MB\n", "peak memory", run.peak_memory_mb);

@@ -24,6 +24,9 @@ struct RunReport {
   Trajectory trajectory;
   std::optional<EvaluationReport> evaluation;
   std::vector<std::string> notes;
+
+  /// Frames without a pose in the trajectory by all frames.
+  [[nodiscard]] double lost_share() const;
 };
 
 /// All figures, with the effective options.
