@@ -3,7 +3,9 @@
 #include "cvo_slam/io/synthetic/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -35,6 +37,12 @@ void check(const Primitive& primitive, std::size_t index) {
   if (!primitive.T_world_shape.matrix().allFinite()) {
     throw OptionError(fmt::format("scene: the pose of primitive {} must be finite", index));
   }
+  if (primitive.swing &&
+      (!primitive.swing->amplitude.allFinite() || !(primitive.swing->period > 0))) {
+    throw OptionError(fmt::format(
+        "scene: the swing of primitive {} must have a finite amplitude and a positive period",
+        index));
+  }
   if (!(primitive.texture.scale > 0)) {
     throw OptionError(
         fmt::format("scene: the texture scale of primitive {} must be positive", index));
@@ -42,6 +50,20 @@ void check(const Primitive& primitive, std::size_t index) {
 }
 
 }  // namespace
+
+Scene scene_at(const Scene& scene, double seconds) {
+  Scene snapshot = scene;
+  for (auto& primitive : snapshot.primitives) {
+    if (!primitive.swing) continue;
+    const Swing& swing = *primitive.swing;
+    const double angle = 2 * std::numbers::pi * (seconds / swing.period + swing.phase);
+    primitive.T_world_shape =
+        SE3(primitive.T_world_shape.rotation(),
+            primitive.T_world_shape.translation() + swing.amplitude * std::sin(angle));
+    primitive.swing.reset();
+  }
+  return snapshot;
+}
 
 double clearance(const Scene& scene, const Vector3& point) {
   double nearest = std::numeric_limits<double>::infinity();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,11 +28,20 @@ struct Rectangle {
 /// New shapes are added here, and to the functions of shape_internal.h.
 using Shape = std::variant<Box, Rectangle>;
 
+/// To and fro about the place of rest: the position differs from it by
+/// amplitude * sin(2 pi (t / period + phase)).
+struct Swing {
+  Vector3 amplitude = Vector3::Zero();  ///< in the world [m]
+  double period = 5;                    ///< [s]
+  double phase = 0;                     ///< in periods
+};
+
 /// A textured shape somewhere in the world.
 struct Primitive {
   Shape shape;
-  SE3 T_world_shape;
+  SE3 T_world_shape;  ///< of a moving one: its place of rest
   Texture texture;
+  std::optional<Swing> swing = std::nullopt;  ///< empty = at rest
 };
 
 /// A lamp that shines equally in all directions and casts no shadows.
@@ -46,6 +56,9 @@ struct Scene {
   std::vector<PointLight> lights;
   double ambient = 0.5;  ///< grey level share of a white surface without any lamp
 };
+
+/// The scene at one instant: what moves is put where it is then, and rests there.
+[[nodiscard]] Scene scene_at(const Scene& scene, double seconds);
 
 /// Distance from a point to the nearest surface, 0 inside a box [m]; infinite in an empty scene.
 [[nodiscard]] double clearance(const Scene& scene, const Vector3& point);
