@@ -73,6 +73,9 @@ void Camera::check() const {
   if (!std::isfinite(depth_scale) || depth_scale <= 0) {
     throw OptionError(fmt::format("camera: depth_scale={} must be positive", depth_scale));
   }
+  if (!(readout_time >= 0 && readout_time < 1)) {
+    throw OptionError(fmt::format("camera: readout_time={} must be in [0, 1) s", readout_time));
+  }
 }
 
 }  // namespace cvo_slam

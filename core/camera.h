@@ -48,6 +48,9 @@ struct Camera {
   std::string name = "default";  ///< for messages and reports
   PinholeCamera color;
   double depth_scale = 5000.0;  ///< units of the 16-bit depth image a metre
+  /// Of a rolling shutter: from the first row to the last [s]; the stamp is the middle row's. 0 for
+  /// a global shutter.
+  double readout_time = 0;
   std::optional<DepthCamera> depth;
 
   /// Throws OptionError where a value is impossible.

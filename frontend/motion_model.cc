@@ -5,13 +5,14 @@
 namespace cvo_slam {
 
 void MotionModel::update(const Timestamp& stamp, const SE3& T_world_camera) {
-  const double dt = seconds_between(stamp_, stamp);
-  if (started_ && dt > 0) {
-    velocity_ = (T_world_camera_.inverse() * T_world_camera).log() / dt;
-  }
+  if (started_ && stamp > stamp_) velocity_ = velocity_to(stamp, T_world_camera);
   stamp_ = stamp;
   T_world_camera_ = T_world_camera;
   started_ = true;
+}
+
+Vector6 MotionModel::velocity_to(const Timestamp& stamp, const SE3& T_world_camera) const {
+  return (T_world_camera_.inverse() * T_world_camera).log() / seconds_between(stamp_, stamp);
 }
 
 SE3 MotionModel::motion(const Timestamp& from, const Timestamp& to) const {

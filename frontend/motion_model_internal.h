@@ -20,6 +20,10 @@ class MotionModel {
   [[nodiscard]] SE3 predict(const Timestamp& stamp) const;
   /// The motion between two times: the camera's pose at `to` in its frame at `from`.
   [[nodiscard]] SE3 motion(const Timestamp& from, const Timestamp& to) const;
+  /// Right tangent a second; zero where it is not known.
+  [[nodiscard]] Vector6 velocity() const { return velocity_.value_or(Vector6::Zero()); }
+  /// The velocity from the last pose to this one.
+  [[nodiscard]] Vector6 velocity_to(const Timestamp& stamp, const SE3& T_world_camera) const;
   [[nodiscard]] const SE3& last_pose() const { return T_world_camera_; }
   [[nodiscard]] const Timestamp& last_stamp() const { return stamp_; }
 

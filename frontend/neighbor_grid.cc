@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "cvo_slam/frontend/neighbor_grid_internal.h"
 
@@ -11,19 +12,25 @@ namespace {
 
 /// More columns than this cost more to clear than they save. Clouds so wide get wider columns.
 constexpr double kMaxColumns = 1 << 16;
-
-std::vector<std::uint32_t> finite_points(const PointCloud& cloud) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (std::isfinite(cloud.x[i]) && std::isfinite(cloud.y[i]) && std::isfinite(cloud.z[i])) {
-      indices.push_back(static_cast<std::uint32_t>(i));
-    }
-  }
-  return indices;
-}
+/// So that rounding to single precision loses no neighbour.
+constexpr double kMargin = 1.01;
+constexpr double kMaxBins = 1 << 16;
 
 }  // namespace
+
+std::vector<std::uint32_t> finite_points_by_x(const PointCloud& cloud) {
+  std::vector<std::pair<float, std::uint32_t>> keys;
+  keys.reserve(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (std::isfinite(cloud.x[i]) && std::isfinite(cloud.y[i]) && std::isfinite(cloud.z[i])) {
+      keys.emplace_back(cloud.x[i], static_cast<std::uint32_t>(i));
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> indices(keys.size());
+  std::transform(keys.begin(), keys.end(), indices.begin(), [](const auto& key) { return key.second; });
+  return indices;
+}
 
 std::int64_t NeighborGrid::column_of(float y, float z) const {
   const auto iy = static_cast<std::int64_t>((y - min_y_) * inverse_width_);
@@ -32,72 +39,126 @@ std::int64_t NeighborGrid::column_of(float y, float z) const {
 }
 
 void NeighborGrid::build(const PointCloud& cloud, double radius) {
+  build(cloud, finite_points_by_x(cloud), cloud.size(), radius);
+}
+
+void NeighborGrid::build(const PointCloud& cloud, const std::vector<std::uint32_t>& by_x,
+                         std::size_t count, double radius) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   radius_ = radius;
-  order_ = finite_points(cloud);
-  float max_y = -std::numeric_limits<float>::infinity();
-  float max_z = max_y;
-  min_y_ = min_z_ = -max_y;
-  for (const std::uint32_t i : order_) {
-    min_y_ = std::min(min_y_, cloud.y[i]);
-    max_y = std::max(max_y, cloud.y[i]);
-    min_z_ = std::min(min_z_, cloud.z[i]);
-    max_z = std::max(max_z, cloud.z[i]);
+  order_.clear();
+  Eigen::Array3f low = Eigen::Array3f::Constant(kInfinity);
+  Eigen::Array3f high = -low;
+  for (const std::uint32_t i : by_x) {
+    if (i >= count) continue;
+    order_.push_back(i);
+    const Eigen::Array3f p(cloud.x[i], cloud.y[i], cloud.z[i]);
+    low = low.min(p);
+    high = high.max(p);
   }
-  const double extent_y = order_.empty() ? 0.0 : static_cast<double>(max_y) - min_y_;
-  const double extent_z = order_.empty() ? 0.0 : static_cast<double>(max_z) - min_z_;
-  // A little wider than the radius, so that rounding to single precision loses no neighbour.
-  double width = std::max(1.01 * radius, 1e-6);
-  while ((extent_y / width + 1) * (extent_z / width + 1) > kMaxColumns) width *= 2;
-  inverse_width_ = static_cast<float>(1 / width);
-  columns_y_ = static_cast<std::int64_t>(extent_y / width) + 2;
-  columns_z_ = static_cast<std::int64_t>(extent_z / width) + 2;
+  if (order_.empty()) low = high = Eigen::Array3f::Zero();
+  set_extent(low, high);
 
-  std::vector<std::int64_t> column(cloud.size());
-  for (const std::uint32_t i : order_) column[i] = column_of(cloud.y[i], cloud.z[i]);
-  std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (column[a] != column[b]) return column[a] < column[b];
-    return cloud.x[a] != cloud.x[b] ? cloud.x[a] < cloud.x[b] : a < b;
-  });
-
+  // Counting keeps the order within a column: by x.
+  column_.resize(cloud.size());
+  columns_.assign(static_cast<std::size_t>(columns_y_ * columns_z_) + 2, {});
+  for (const std::uint32_t i : order_) {
+    column_[i] = static_cast<std::uint32_t>(column_of(cloud.y[i], cloud.z[i]));
+    ++columns_[column_[i] + 2].points_begin;
+  }
+  for (std::size_t c = 1; c < columns_.size(); ++c) {
+    columns_[c].points_begin += columns_[c - 1].points_begin;
+  }
   points_.resize(order_.size() + kPadding);
-  column_begin_.assign(static_cast<std::size_t>(columns_y_ * columns_z_) + 1, 0);
-  for (std::size_t k = 0; k < order_.size(); ++k) {
-    const std::uint32_t i = order_[k];
+  sorted_.resize(order_.size());
+  for (const std::uint32_t i : order_) {
+    const std::uint32_t k = columns_[column_[i] + 1].points_begin++;
+    sorted_[k] = i;
     points_.x[k] = cloud.x[i];
     points_.y[k] = cloud.y[i];
     points_.z[k] = cloud.z[i];
     for (std::size_t f = 0; f < PointCloud::kFeatures; ++f) {
       points_.features[f][k] = cloud.features[f][i];
     }
-    ++column_begin_[static_cast<std::size_t>(column[i]) + 1];
   }
-  for (std::size_t c = 1; c < column_begin_.size(); ++c) column_begin_[c] += column_begin_[c - 1];
+  order_.swap(sorted_);
+  fill_bins();
+}
+
+void NeighborGrid::set_extent(const Eigen::Array3f& low, const Eigen::Array3f& high) {
+  const Eigen::Array3d extent = high.cast<double>() - low.cast<double>();
+  double width = std::max(kMargin * radius_, 1e-6);
+  const auto columns = [&] { return (extent.y() / width + 1) * (extent.z() / width + 1); };
+  while (columns() > kMaxColumns) width *= 2;
+  width_ = static_cast<float>(width);
+  inverse_width_ = 1 / width_;
+  // So that a bin's number is an exact float even across the widest cloud.
+  inverse_bin_ = static_cast<float>(std::min(2 / width, kMaxBins / std::max(extent.x(), 1e-6)));
+  min_x_ = low.x();
+  min_y_ = low.y();
+  min_z_ = low.z();
+  columns_y_ = static_cast<std::int64_t>(extent.y() / width) + 2;
+  columns_z_ = static_cast<std::int64_t>(extent.z() / width) + 2;
+}
+
+void NeighborGrid::fill_bins() {
+  bins_.clear();
+  for (std::size_t c = 0; c + 1 < columns_.size(); ++c) {
+    Column& column = columns_[c];
+    const std::uint32_t end = columns_[c + 1].points_begin;
+    if (column.points_begin == end) continue;
+    column.bins_begin = static_cast<std::uint32_t>(bins_.size());
+    column.first_bin = bin_of(points_.x[column.points_begin]);
+    column.bins = bin_of(points_.x[end - 1]) - column.first_bin + 1;
+    std::uint32_t k = column.points_begin;
+    for (std::int32_t b = 0; b < column.bins; ++b) {
+      while (bin_of(points_.x[k]) < column.first_bin + b) ++k;
+      bins_.push_back(k);
+    }
+    bins_.push_back(end);
+  }
+}
+
+std::int32_t NeighborGrid::bin_of(float x) const {
+  return static_cast<std::int32_t>((x - min_x_) * inverse_bin_);
 }
 
 std::size_t NeighborGrid::query(float x, float y, float z,
                                 std::array<GridRun, kMaxRuns>& runs) const {
   const float cy = std::floor((y - min_y_) * inverse_width_);
   const float cz = std::floor((z - min_z_) * inverse_width_);
+  const float bin = (x - min_x_) * inverse_bin_;
   // Written so that NaN and values too large for an integer find nothing.
   const bool near = cy >= -1.0F && cy <= static_cast<float>(columns_y_) && cz >= -1.0F &&
-                    cz <= static_cast<float>(columns_z_);
+                    cz <= static_cast<float>(columns_z_) && std::abs(bin) < 2 * kMaxBins;
   if (!near || order_.empty()) return 0;
   const auto iy = static_cast<std::int64_t>(cy);
   const auto iz = static_cast<std::int64_t>(cz);
-  const auto reach = static_cast<float>(radius_);
+  // Squared distance in y or z to the nearest side of a column.
+  const auto gap2 = [&](float at, float min, std::int64_t own, std::int64_t column) {
+    if (column == own) return 0.0F;
+    const float gap = at - (min + static_cast<float>(std::max(own, column)) * width_);
+    return gap * gap;
+  };
+  const auto radius2 = static_cast<float>(kMargin * kMargin * radius_ * radius_);
   std::size_t count = 0;
   for (std::int64_t jz = std::max<std::int64_t>(iz - 1, 0); jz <= std::min(iz + 1, columns_z_ - 1);
        ++jz) {
+    const float left_of_z = radius2 - gap2(z, min_z_, iz, jz);
     for (std::int64_t jy = std::max<std::int64_t>(iy - 1, 0);
          jy <= std::min(iy + 1, columns_y_ - 1); ++jy) {
-      const auto column = static_cast<std::size_t>(jz * columns_y_ + jy);
-      const auto first = points_.x.begin() + column_begin_[column];
-      const auto last = points_.x.begin() + column_begin_[column + 1];
-      const auto begin = std::lower_bound(first, last, x - reach);
-      const auto end = std::upper_bound(begin, last, x + reach);
-      if (begin == end) continue;
-      runs[count++] = {static_cast<std::uint32_t>(begin - points_.x.begin()),
-                       static_cast<std::uint32_t>(end - points_.x.begin())};
+      const Column& column = columns_[static_cast<std::size_t>(jz * columns_y_ + jy)];
+      const float left = left_of_z - gap2(y, min_y_, iy, jy);
+      if (column.bins == 0 || left < 0) continue;
+      const float reach = std::sqrt(left) * inverse_bin_;
+      const std::int32_t first =
+          std::max(static_cast<std::int32_t>(std::floor(bin - reach)) - column.first_bin, 0);
+      const std::int32_t last = std::min(
+          static_cast<std::int32_t>(std::floor(bin + reach)) - column.first_bin + 1, column.bins);
+      if (first >= last) continue;
+      const std::uint32_t* const bins = bins_.data() + column.bins_begin;
+      if (bins[first] == bins[last]) continue;
+      runs[count++] = {bins[first], bins[last]};
     }
   }
   return count;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/frontend/kernel.h"
 
@@ -17,16 +19,22 @@ struct GridRun {
   std::uint32_t end;
 };
 
+/// The points with finite coordinates by ascending x.
+[[nodiscard]] std::vector<std::uint32_t> finite_points_by_x(const PointCloud& cloud);
+
 /// The points of a cloud sorted so that all within the kernel's support of a place are a few
 /// contiguous runs. Points are binned in (y, z) into square columns as wide as the support radius,
-/// and sorted by x within each column: a query looks at 3x3 columns and, by bisection, at the part
-/// of each within the radius in x.
+/// and sorted by x within each column, with a table of where each half radius in x begins: a query
+/// looks at 3x3 columns and at the part of each that the radius reaches.
 class NeighborGrid {
  public:
   static constexpr std::size_t kMaxRuns = 9;
   static constexpr std::size_t kPadding = 16;  ///< floats in the widest vector
 
-  /// Sorts a copy of `cloud`. Points without finite coordinates are left out.
+  /// Sorts a copy of the first `count` points. `by_x` is finite_points_by_x(cloud), which the grids
+  /// of several radii share.
+  void build(const PointCloud& cloud, const std::vector<std::uint32_t>& by_x, std::size_t count,
+             double radius);
   void build(const PointCloud& cloud, double radius);
 
   [[nodiscard]] std::size_t size() const { return order_.size(); }
@@ -42,13 +50,31 @@ class NeighborGrid {
   std::size_t query(float x, float y, float z, std::array<GridRun, kMaxRuns>& runs) const;
 
  private:
+  /// Its points begin at points_begin; those of its bins of half a radius in x, from the bin
+  /// first_bin on, at bins_[bins_begin], ...; there is one more entry than bins.
+  struct Column {
+    std::uint32_t points_begin = 0;
+    std::uint32_t bins_begin = 0;
+    std::int32_t first_bin = 0;
+    std::int32_t bins = 0;
+  };
+
+  void set_extent(const Eigen::Array3f& low, const Eigen::Array3f& high);
   [[nodiscard]] std::int64_t column_of(float y, float z) const;
+  [[nodiscard]] std::int32_t bin_of(float x) const;
+  void fill_bins();
 
   PointCloud points_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> column_begin_;  // columns_y_ * columns_z_ + 1 entries
+  std::vector<Column> columns_;              // columns_y_ * columns_z_, and one more
+  std::vector<std::uint32_t> bins_;
+  std::vector<std::uint32_t> sorted_;        // memory for build()
+  std::vector<std::uint32_t> column_;        // of each point of the cloud; memory for build()
   double radius_ = 0;
+  float width_ = 0;          // of a column [m]
   float inverse_width_ = 0;
+  float inverse_bin_ = 0;    // bins a metre
+  float min_x_ = 0;
   float min_y_ = 0;
   float min_z_ = 0;
   std::int64_t columns_y_ = 0;

@@ -33,13 +33,11 @@ Vector6 clamp(const Vector6& step, double ell) {
 
 class Search {
  public:
-  Search(const Objective& objective, const PointCloud& moving, const RegistrationOptions& options,
-         const Executor& executor)
-      : objective_(objective), moving_(moving), options_(options), executor_(executor) {}
+  Search(PoseObjective& objective, const StopRule& stop) : objective_(objective), stop_(stop) {}
 
-  LevelResult run(const SE3& T_init, int max_iterations) {
-    LevelResult state{T_init, objective_.evaluate(moving_, T_init, executor_), 0, false};
-    while (state.iterations < max_iterations && state.value.matched > 0 && !state.converged) {
+  LevelResult run(const SE3& T_init) {
+    LevelResult state{T_init, objective_.evaluate(T_init), 0, false};
+    while (state.iterations < stop_.max_iterations && state.value.matched > 0 && !state.converged) {
       ++state.iterations;
       const auto newton = solve(state.value.hessian, state.value.gradient);
       if (newton && try_step(*newton, state)) continue;
@@ -53,33 +51,29 @@ class Search {
 
  private:
   /// Takes the step where it raises the objective. One below the tolerance ends the search.
-  bool try_step(const Vector6& step, LevelResult& state) const {
+  bool try_step(const Vector6& step, LevelResult& state) {
     const Vector6 clamped = clamp(step, objective_.length_scale());
-    if (clamped.head<3>().norm() < options_.tolerance_translation &&
-        clamped.tail<3>().norm() < options_.tolerance_rotation) {
+    const SE3 T = SE3::exp(clamped) * state.T_fixed_moving;
+    if (clamped.head<3>().norm() < stop_.translation && clamped.tail<3>().norm() < stop_.rotation) {
+      if (stop_.take_last_step) state.T_fixed_moving = T;
       state.converged = true;
       return true;
     }
-    const SE3 T = SE3::exp(clamped) * state.T_fixed_moving;
-    const ObjectiveValue value = objective_.evaluate(moving_, T, executor_);
+    const ObjectiveValue value = objective_.evaluate(T);
     if (value.value <= state.value.value) return false;
     state.T_fixed_moving = T;
     state.value = value;
     return true;
   }
 
-  const Objective& objective_;
-  const PointCloud& moving_;
-  const RegistrationOptions& options_;
-  const Executor& executor_;
+  PoseObjective& objective_;
+  const StopRule& stop_;
 };
 
 }  // namespace
 
-LevelResult newton(const Objective& objective, const PointCloud& moving,
-                   const SE3& T_fixed_moving_init, int max_iterations,
-                   const RegistrationOptions& options, const Executor& executor) {
-  return Search(objective, moving, options, executor).run(T_fixed_moving_init, max_iterations);
+LevelResult newton(PoseObjective& objective, const SE3& T_fixed_moving_init, const StopRule& stop) {
+  return Search(objective, stop).run(T_fixed_moving_init);
 }
 
 }  // namespace cvo_slam

@@ -15,10 +15,19 @@ struct LevelResult {
   bool converged = false;
 };
 
+/// When a search at one length scale ends.
+struct StopRule {
+  int max_iterations = 10;
+  double translation = 1e-4;  ///< of a step [m]
+  double rotation = 1e-4;     ///< of a step [rad]
+  /// With the last step, whose end is then not evaluated, or before it. A search that a finer one
+  /// follows needs no proof of its end.
+  bool take_last_step = false;
+};
+
 /// Maximises the objective at its length scale from a start by Newton steps; every accepted step
 /// raises ObjectiveValue::value.
-[[nodiscard]] LevelResult newton(const Objective& objective, const PointCloud& moving,
-                                 const SE3& T_fixed_moving_init, int max_iterations,
-                                 const RegistrationOptions& options, const Executor& executor);
+[[nodiscard]] LevelResult newton(PoseObjective& objective, const SE3& T_fixed_moving_init,
+                                 const StopRule& stop);
 
 }  // namespace cvo_slam

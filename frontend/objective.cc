@@ -1,90 +1,132 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
+#include <bit>
 
 #include <Eigen/Geometry>
 
 #include "cvo_slam/frontend/objective_internal.h"
+#include "cvo_slam/frontend/pair_sums_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-constexpr std::size_t kChunk = 128;
+/// How much further than the kernel's support neighbours are looked for, as a share of it: a pose
+/// may change by so much before they are looked for again. More finds more that are not needed.
+constexpr double kSkin = 0.25;
+/// More chunks than this give threads nothing, fewer leave some idle.
+constexpr std::size_t kMaxChunks = 16;
 
-/// Adds what one moving point q contributes; the formulas are those of ObjectiveValue.
-void add_point(const PairSums& sums, const Vector3& q, double ell, ObjectiveValue& total) {
-  if (sums.k <= 0) return;
-  const double w = sums.w;
+void add(const PairSums& part, PairSums& total) {
+  constexpr std::size_t kCount = sizeof(PairSums) / sizeof(double);
+  using Array = std::array<double, kCount>;
+  Array sum = std::bit_cast<Array>(total);
+  const Array addend = std::bit_cast<Array>(part);
+  for (std::size_t i = 0; i < kCount; ++i) sum[i] += addend[i];
+  total = std::bit_cast<PairSums>(sum);
+}
+
+Vector3 vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// From xx, xy, xz, yy, yz, zz.
+Matrix3 symmetric(const std::array<double, 6>& a) {
+  Matrix3 m;
+  m << a[0], a[1], a[2],  //
+      a[1], a[3], a[4],   //
+      a[2], a[4], a[5];
+  return m;
+}
+
+Matrix3 from_columns(const std::array<double, 9>& a) {
+  return Eigen::Map<const Eigen::Matrix3d>(a.data());
+}
+
+/// The formulas are those of ObjectiveValue.
+ObjectiveValue assemble(const PairSums& sums, double ell) {
+  ObjectiveValue result;
+  result.value = sums.value;
+  result.inner_product = sums.w;
+  result.matched = static_cast<std::size_t>(sums.matched);
+  const Vector3 s = vector(sums.s);
+  result.gradient << s, vector(sums.q_cross_s);
+
+  const Matrix3 sq = from_columns(sums.sq);
+  const Matrix3 vw = -from_columns(sums.AQ) - 0.5 * skew(s);
+  result.hessian.topLeftCorner<3, 3>() = symmetric(sums.A);
+  result.hessian.topRightCorner<3, 3>() = vw;
+  result.hessian.bottomLeftCorner<3, 3>() = vw.transpose();
+  result.hessian.bottomRightCorner<3, 3>() =
+      symmetric(sums.QAQ) + sq.trace() * Matrix3::Identity() - 0.5 * (sq + sq.transpose());
+
   const double inv2 = 1 / (ell * ell);
-  const double inv4 = inv2 * inv2;
-  const Vector3 s(sums.r[0], sums.r[1], sums.r[2]);
-  Matrix3 rr;
-  rr << sums.rr[0], sums.rr[1], sums.rr[2],  //
-      sums.rr[1], sums.rr[3], sums.rr[4],    //
-      sums.rr[2], sums.rr[4], sums.rr[5];
-  const Matrix3 Q = skew(q);
-
-  total.value += sums.excess;
-  total.inner_product += w;
-  ++total.matched;
-  total.gradient.head<3>() += inv2 * s;
-  total.gradient.tail<3>() += inv2 * q.cross(s);
-
-  const Matrix3 A = inv2 * w * Matrix3::Identity() - inv4 * rr;
-  const Matrix3 AQ = A * Q;
-  total.hessian.topLeftCorner<3, 3>() += A;
-  total.hessian.topRightCorner<3, 3>() -= AQ + 0.5 * inv2 * skew(s);
-  const Matrix3 sq = s * q.transpose();
-  total.hessian.bottomRightCorner<3, 3>() +=
-      inv2 * (s.dot(q) * Matrix3::Identity() - 0.5 * (sq + sq.transpose())) - Q * AQ;
-
-  total.majorizer.topLeftCorner<3, 3>() += inv2 * w * Matrix3::Identity();
-  total.majorizer.topRightCorner<3, 3>() -= inv2 * w * Q;
-  total.majorizer.bottomRightCorner<3, 3>() -= inv2 * w * Q * Q;
+  const Matrix3 wqq = symmetric(sums.wqq);
+  const Matrix3 wq = skew(vector(sums.wq));
+  result.majorizer.topLeftCorner<3, 3>() = inv2 * sums.w * Matrix3::Identity();
+  result.majorizer.topRightCorner<3, 3>() = -inv2 * wq;
+  result.majorizer.bottomLeftCorner<3, 3>() = inv2 * wq;
+  result.majorizer.bottomRightCorner<3, 3>() = inv2 * (wqq.trace() * Matrix3::Identity() - wqq);
+  return result;
 }
-
-void add(const ObjectiveValue& part, ObjectiveValue& total) {
-  total.value += part.value;
-  total.inner_product += part.inner_product;
-  total.gradient += part.gradient;
-  total.hessian += part.hessian;
-  total.majorizer += part.majorizer;
-  total.matched += part.matched;
-}
-
-void mirror_upper(Matrix6& m) { m.bottomLeftCorner<3, 3>() = m.topRightCorner<3, 3>().transpose(); }
 
 }  // namespace
 
-void Objective::build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale) {
+void Objective::build(const PointCloud& fixed, const std::vector<std::uint32_t>& by_x,
+                      std::size_t count, const KernelOptions& kernel, double length_scale) {
   kernel_ = kernel;
   length_scale_ = length_scale;
-  grid_.build(fixed, support_radius(kernel, length_scale));
+  grid_.build(fixed, by_x, count, (1 + kSkin) * support_radius(kernel, length_scale));
+}
+
+void Objective::build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale) {
+  build(fixed, finite_points_by_x(fixed), fixed.size(), kernel, length_scale);
 }
 
 ObjectiveValue Objective::evaluate(const PointCloud& moving, const SE3& T_fixed_moving,
                                    const Executor& executor) const {
-  std::vector<ObjectiveValue> parts(Executor::chunk_count(moving.size(), kChunk));
-  executor.for_each_chunk(
-      moving.size(), kChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        std::array<PairSums, kChunk> sums;
-        sum_pairs(grid_, moving, T_fixed_moving, kernel_, length_scale_, begin, end, sums.data());
-        for (std::size_t j = begin; j < end; ++j) {
-          add_point(sums[j - begin], T_fixed_moving * moving.position(j), length_scale_,
-                    parts[chunk]);
-        }
-      });
-  ObjectiveValue total;
-  for (const auto& part : parts) add(part, total);
-  mirror_upper(total.hessian);
-  mirror_upper(total.majorizer);
-  return total;
+  PairTable pairs;
+  return PoseObjective(*this, moving, moving.size(), pairs, executor).evaluate(T_fixed_moving);
 }
 
-double Objective::squared_norm(const PointCloud& cloud) const {
-  Objective self;
-  self.build(cloud, kernel_, length_scale_);
-  return self.evaluate(cloud, SE3(), Executor()).inner_product;
+double squared_norm(const NeighborGrid& grid, const PointCloud& cloud, const KernelOptions& kernel,
+                    double length_scale, const Executor& executor) {
+  const std::size_t chunk = std::max<std::size_t>(1, (cloud.size() + kMaxChunks - 1) / kMaxChunks);
+  std::array<double, kMaxChunks> parts{};
+  executor.for_each_chunk(
+      cloud.size(), chunk, [&](std::size_t k, std::size_t begin, std::size_t end) {
+        parts[k] = sum_inner_products(grid, cloud, kernel, length_scale, begin, end);
+      });
+  double sum = 0;
+  for (const double part : parts) sum += part;
+  return sum;
+}
+
+PoseObjective::PoseObjective(const Objective& objective, const PointCloud& moving,
+                             std::size_t count, PairTable& pairs, const Executor& executor)
+    : objective_(objective), moving_(moving), count_(count), pairs_(pairs), executor_(executor) {
+  pairs_.clear();
+}
+
+const PairTable& PoseObjective::pairs(const SE3& T_fixed_moving) {
+  if (!pairs_.covers(T_fixed_moving)) {
+    pairs_.build(objective_.grid(), moving_, count_, T_fixed_moving, objective_.kernel(),
+                 objective_.length_scale(), executor_);
+  }
+  return pairs_;
+}
+
+ObjectiveValue PoseObjective::evaluate(const SE3& T_fixed_moving) {
+  const PairTable& table = pairs(T_fixed_moving);
+  const std::size_t groups = table.groups().size();
+  const std::size_t chunk = std::max<std::size_t>(1, (groups + kMaxChunks - 1) / kMaxChunks);
+  std::array<PairSums, kMaxChunks> parts;
+  executor_.for_each_chunk(groups, chunk, [&](std::size_t k, std::size_t begin, std::size_t end) {
+    parts[k] = sum_pairs(table, T_fixed_moving, objective_.kernel(), objective_.length_scale(),
+                         begin, end);
+  });
+  PairSums total;
+  for (const PairSums& part : parts) add(part, total);
+  return assemble(total, objective_.length_scale());
 }
 
 }  // namespace cvo_slam

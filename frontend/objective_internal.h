@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "cvo_slam/core/parallel.h"
@@ -10,7 +11,7 @@
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/kernel.h"
 #include "cvo_slam/frontend/neighbor_grid_internal.h"
-#include "cvo_slam/frontend/pair_sums_internal.h"
+#include "cvo_slam/frontend/pair_table_internal.h"
 
 namespace cvo_slam {
 
@@ -32,19 +33,48 @@ struct ObjectiveValue {
 /// One fixed cloud at one length scale.
 class Objective {
  public:
+  /// Takes the first `count` points of `fixed`; `by_x` are the indices of all of them by ascending
+  /// x, see NeighborGrid.
+  void build(const PointCloud& fixed, const std::vector<std::uint32_t>& by_x, std::size_t count,
+             const KernelOptions& kernel, double length_scale);
   void build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale);
 
   [[nodiscard]] double length_scale() const { return length_scale_; }
+  [[nodiscard]] const KernelOptions& kernel() const { return kernel_; }
   [[nodiscard]] const NeighborGrid& grid() const { return grid_; }
   [[nodiscard]] ObjectiveValue evaluate(const PointCloud& moving, const SE3& T_fixed_moving,
                                         const Executor& executor) const;
-  /// |f|^2 of a cloud with this kernel and length scale.
-  [[nodiscard]] double squared_norm(const PointCloud& cloud) const;
 
  private:
   KernelOptions kernel_;
   double length_scale_ = 0;
   NeighborGrid grid_;
+};
+
+/// |f|^2 of the first `count` points of a cloud with this kernel and length scale.
+[[nodiscard]] double squared_norm(const NeighborGrid& grid, const PointCloud& cloud,
+                                  const KernelOptions& kernel, double length_scale,
+                                  const Executor& executor);
+
+/// The objective as a function of the pose of one moving cloud. Pairs are looked for where a pose
+/// leaves the surroundings of the last search.
+class PoseObjective {
+ public:
+  /// Of the first `count` moving points. All arguments must outlive it; `pairs` is memory to use.
+  PoseObjective(const Objective& objective, const PointCloud& moving, std::size_t count,
+                PairTable& pairs, const Executor& executor);
+
+  [[nodiscard]] double length_scale() const { return objective_.length_scale(); }
+  [[nodiscard]] ObjectiveValue evaluate(const SE3& T_fixed_moving);
+  /// The pairs for this pose.
+  [[nodiscard]] const PairTable& pairs(const SE3& T_fixed_moving);
+
+ private:
+  const Objective& objective_;
+  const PointCloud& moving_;
+  std::size_t count_;
+  PairTable& pairs_;
+  const Executor& executor_;
 };
 
 }  // namespace cvo_slam

@@ -10,6 +10,8 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include <bit>
+
 #include "cvo_slam/frontend/pair_sums_internal.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,6 +23,8 @@ using FloatTag = hn::ScalableTag<float>;
 using Floats = hn::Vec<FloatTag>;
 
 constexpr FloatTag kTag;
+
+HWY_INLINE Floats broadcast(double value) { return hn::Set(kTag, static_cast<float>(value)); }
 
 /// exp(x) for x <= 0: 2^n e^r with |r| <= ln(2) / 2 and Taylor's polynomial of degree 6 for e^r,
 /// whose relative error is below r^7 / 5040 = 1.2e-7; with rounding, 2.3e-7 was measured. Smaller
@@ -45,29 +49,77 @@ HWY_INLINE Floats exp_of_negative(Floats x) {
 
 /// The kernel's constants, broadcast once.
 struct Constants {
-  Constants(const KernelOptions& kernel, double length_scale)
-      : sigma2(hn::Set(kTag, static_cast<float>(kernel.sigma * kernel.sigma))),
-        threshold(hn::Set(kTag, static_cast<float>(kernel.sparsification))),
-        position(hn::Set(kTag, static_cast<float>(-0.5 / (length_scale * length_scale)))),
-        color(hn::Set(kTag, static_cast<float>(-0.5 / (kernel.color_scale * kernel.color_scale)))),
-        gradient(hn::Set(
-            kTag, static_cast<float>(-0.5 / (kernel.gradient_scale * kernel.gradient_scale)))) {}
+  explicit Constants(const KernelOptions& kernel, double length_scale = 1)
+      : sigma2(broadcast(kernel.sigma * kernel.sigma)),
+        threshold(broadcast(kernel.sparsification)),
+        position(broadcast(-0.5 / (length_scale * length_scale))),
+        color(broadcast(-0.5 / (kernel.color_scale * kernel.color_scale))),
+        gradient(broadcast(-0.5 / (kernel.gradient_scale * kernel.gradient_scale))) {}
   Floats sigma2, threshold, position, color, gradient;
+
+  [[nodiscard]] HWY_INLINE Floats k(Floats squared_distance) const {
+    return hn::Mul(sigma2, exp_of_negative(hn::Mul(squared_distance, position)));
+  }
 };
 
-/// A moving point in the fixed frame and its features, broadcast.
+struct Point {
+  Floats x, y, z;
+};
+
+HWY_INLINE Point operator-(const Point& a, const Point& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+HWY_INLINE Floats dot(const Point& a, const Point& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+HWY_INLINE Point cross(const Point& a, const Point& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+/// A rigid motion in single precision.
+class Motion {
+ public:
+  explicit Motion(const SE3& T) {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) R_[3 * i + j] = static_cast<float>(T.rotation()(i, j));
+      t_[i] = static_cast<float>(T.translation()[i]);
+    }
+  }
+  [[nodiscard]] HWY_INLINE Point operator*(const Point& p) const {
+    return {row(0, p), row(1, p), row(2, p)};
+  }
+
+ private:
+  [[nodiscard]] HWY_INLINE Floats row(int i, const Point& p) const {
+    const auto at = [&](int j) { return hn::Set(kTag, R_[3 * i + j]); };
+    return hn::MulAdd(
+        at(0), p.x, hn::MulAdd(at(1), p.y, hn::MulAdd(at(2), p.z, hn::Set(kTag, t_[i]))));
+  }
+
+  float R_[9];
+  float t_[3];
+};
+
+/// A moving point's place in the fixed frame and its labels, broadcast.
 struct MovedPoint {
   MovedPoint(const PointCloud& cloud, std::size_t j, const Vector3& position)
-      : x(hn::Set(kTag, static_cast<float>(position.x()))),
-        y(hn::Set(kTag, static_cast<float>(position.y()))),
-        z(hn::Set(kTag, static_cast<float>(position.z()))),
+      : q{broadcast(position.x()), broadcast(position.y()), broadcast(position.z())},
         f0(hn::Set(kTag, cloud.features[0][j])),
         f1(hn::Set(kTag, cloud.features[1][j])),
         f2(hn::Set(kTag, cloud.features[2][j])),
         f3(hn::Set(kTag, cloud.features[3][j])),
         f4(hn::Set(kTag, cloud.features[4][j])) {}
-  Floats x, y, z, f0, f1, f2, f3, f4;
+  Point q;
+  Floats f0, f1, f2, f3, f4;
 };
+
+HWY_INLINE Point load_position(const PointCloud& cloud, std::size_t k) {
+  return {hn::LoadU(kTag, cloud.x.data() + k), hn::LoadU(kTag, cloud.y.data() + k),
+          hn::LoadU(kTag, cloud.z.data() + k)};
+}
 
 template <ColorKernel kColor>
 HWY_INLINE Floats label_products(const Constants& constants, const PointCloud& fixed, std::size_t k,
@@ -90,96 +142,252 @@ HWY_INLINE Floats label_products(const Constants& constants, const PointCloud& f
   }
 }
 
-/// Vector sums of one moving point, a partial sum a lane.
-struct Accumulator {
-  // Spelled out because the compiler's own constructor would lack the instruction set.
-  Accumulator()
-      : k(hn::Zero(kTag)),
-        w(k),
-        excess(w),
-        x(w),
-        y(w),
-        z(w),
-        xx(w),
-        xy(w),
-        xz(w),
-        yy(w),
-        yz(w),
-        zz(w) {}
-  Floats k, w, excess, x, y, z, xx, xy, xz, yy, yz, zz;
-
-  [[nodiscard]] PairSums reduce() const {
-    const auto sum = [](Floats v) { return hn::GetLane(hn::SumOfLanes(kTag, v)); };
-    return {sum(k),
-            sum(w),
-            sum(excess),
-            {sum(x), sum(y), sum(z)},
-            {sum(xx), sum(xy), sum(xz), sum(yy), sum(yz), sum(zz)}};
-  }
-};
-
-template <ColorKernel kColor>
-HWY_INLINE void add_run(const Constants& constants, const PointCloud& fixed, const GridRun& run,
-                        const MovedPoint& q, Accumulator& sums) {
-  for (std::size_t k = run.begin; k < run.end; k += hn::Lanes(kTag)) {
-    const Floats rx = hn::Sub(hn::LoadU(kTag, fixed.x.data() + k), q.x);
-    const Floats ry = hn::Sub(hn::LoadU(kTag, fixed.y.data() + k), q.y);
-    const Floats rz = hn::Sub(hn::LoadU(kTag, fixed.z.data() + k), q.z);
-    const Floats d2 = hn::MulAdd(rx, rx, hn::MulAdd(ry, ry, hn::Mul(rz, rz)));
-    const Floats value =
-        hn::Mul(constants.sigma2, exp_of_negative(hn::Mul(d2, constants.position)));
-    const auto inside = hn::And(hn::FirstN(kTag, run.end - k), hn::Gt(value, constants.threshold));
-    if (hn::AllFalse(kTag, inside)) continue;
-    const Floats c = hn::IfThenElseZero(inside, label_products<kColor>(constants, fixed, k, q));
-    const Floats w = hn::Mul(c, value);
-    sums.k = hn::Add(sums.k, hn::IfThenElseZero(inside, value));
-    sums.w = hn::Add(sums.w, w);
-    sums.excess = hn::MulAdd(c, hn::Sub(value, constants.threshold), sums.excess);
-    const Floats wx = hn::Mul(w, rx);
-    const Floats wy = hn::Mul(w, ry);
-    const Floats wz = hn::Mul(w, rz);
-    sums.x = hn::Add(sums.x, wx);
-    sums.y = hn::Add(sums.y, wy);
-    sums.z = hn::Add(sums.z, wz);
-    sums.xx = hn::MulAdd(wx, rx, sums.xx);
-    sums.xy = hn::MulAdd(wx, ry, sums.xy);
-    sums.xz = hn::MulAdd(wx, rz, sums.xz);
-    sums.yy = hn::MulAdd(wy, ry, sums.yy);
-    sums.yz = hn::MulAdd(wy, rz, sums.yz);
-    sums.zz = hn::MulAdd(wz, rz, sums.zz);
+/// Calls visit(k, inside, r, d2) for each vector of grid points with any within `reach` of q.
+template <typename Visit>
+HWY_INLINE void for_each_neighbor(const NeighborGrid& grid, const Vector3& position,
+                                  const Point& q, Floats reach2, const Visit& visit) {
+  std::array<GridRun, NeighborGrid::kMaxRuns> runs;
+  const std::size_t count =
+      grid.query(static_cast<float>(position.x()), static_cast<float>(position.y()),
+                 static_cast<float>(position.z()), runs);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = runs[i].begin; k < runs[i].end; k += hn::Lanes(kTag)) {
+      const Point x = load_position(grid.points(), k);
+      const Point r = x - q;
+      const Floats d2 = dot(r, r);
+      const auto inside = hn::And(hn::FirstN(kTag, runs[i].end - k), hn::Lt(d2, reach2));
+      if (!hn::AllFalse(kTag, inside)) visit(k, inside, x, d2);
+    }
   }
 }
 
+/// Makes room for `more` entries and the rest of a vector.
+void reserve(NeighborLists& lists, std::size_t more) {
+  const std::size_t needed = lists.used + more + PairTable::kLanes;
+  if (lists.x.size() >= needed) return;
+  for (auto* array : {&lists.x, &lists.y, &lists.z, &lists.c}) array->resize(2 * needed);
+}
+
 template <ColorKernel kColor>
-void sum_all(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-             const Constants& constants, std::size_t begin, std::size_t end, PairSums* sums) {
-  std::array<GridRun, NeighborGrid::kMaxRuns> runs{};
+void find_all(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
+              const KernelOptions& kernel, std::size_t begin, std::size_t end,
+              NeighborLists& lists) {
+  const Constants constants(kernel);
+  const Floats reach2 = broadcast(grid.radius() * grid.radius());
+  lists.used = 0;
+  lists.count.resize(end - begin);
   for (std::size_t j = begin; j < end; ++j) {
     const Vector3 position = T_fixed_moving * moving.position(j);
-    const std::size_t count =
-        grid.query(static_cast<float>(position.x()), static_cast<float>(position.y()),
-                   static_cast<float>(position.z()), runs);
-    if (count == 0) {
-      sums[j - begin] = PairSums();
-      continue;
-    }
-    const MovedPoint q(moving, j, position);
-    Accumulator accumulator;
-    for (std::size_t i = 0; i < count; ++i) {
-      add_run<kColor>(constants, grid.points(), runs[i], q, accumulator);
-    }
-    sums[j - begin] = accumulator.reduce();
+    const MovedPoint point(moving, j, position);
+    const std::size_t first = lists.used;
+    for_each_neighbor(grid, position, point.q, reach2,
+                      [&](std::size_t k, auto inside, const Point& x, Floats) HWY_ATTR {
+                        reserve(lists, hn::Lanes(kTag));
+                        const Floats c = label_products<kColor>(constants, grid.points(), k, point);
+                        // Compressing in a register: stores that compress are slow on some CPUs.
+                        const auto append = [&](Floats v, std::vector<float>& to) HWY_ATTR {
+                          hn::StoreU(hn::Compress(v, inside), kTag, to.data() + lists.used);
+                        };
+                        append(x.x, lists.x);
+                        append(x.y, lists.y);
+                        append(x.z, lists.z);
+                        append(c, lists.c);
+                        lists.used += hn::CountTrue(kTag, inside);
+                      });
+    lists.count[j - begin] = static_cast<std::uint32_t>(lists.used - first);
   }
 }
 
-void sum_pairs(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-               const KernelOptions& kernel, double length_scale, std::size_t begin, std::size_t end,
-               PairSums* sums) {
+template <ColorKernel kColor>
+double inner_products(const NeighborGrid& grid, const PointCloud& moving,
+                      const KernelOptions& kernel, double length_scale, std::size_t begin,
+                      std::size_t end) {
   const Constants constants(kernel, length_scale);
+  const double reach = support_radius(kernel, length_scale);
+  double total = 0;
+  for (std::size_t j = begin; j < end; ++j) {
+    const Vector3 position = moving.position(j);
+    const MovedPoint point(moving, j, position);
+    Floats sum = hn::Zero(kTag);
+    for_each_neighbor(grid, position, point.q, broadcast(reach * reach),
+                      [&](std::size_t k, auto inside, const Point&, Floats d2) HWY_ATTR {
+                        const Floats c = label_products<kColor>(constants, grid.points(), k, point);
+                        sum = hn::Add(sum, hn::IfThenElseZero(inside, hn::Mul(c, constants.k(d2))));
+                      });
+    total += hn::GetLane(hn::SumOfLanes(kTag, sum));
+  }
+  return total;
+}
+
+/// Double precision sums of single precision lanes.
+class Totals {
+ public:
+  static constexpr std::size_t kCount = sizeof(PairSums) / sizeof(double);
+
+  HWY_INLINE void add(Floats v) {
+    HWY_ALIGN float lanes[HWY_MAX_BYTES / sizeof(float)];
+    hn::Store(v, kTag, lanes);
+    double* const sum = sums_ + kDoubles * next_++;
+    auto total = hn::Load(kDoubleTag, sum);
+    for (std::size_t i = 0; i < hn::Lanes(kTag); i += hn::Lanes(kDoubleTag)) {
+      total = hn::Add(total, hn::PromoteTo(kDoubleTag, hn::Load(kHalfTag, lanes + i)));
+    }
+    hn::Store(total, kDoubleTag, sum);
+  }
+  HWY_INLINE void add(const Point& p) {
+    add(p.x);
+    add(p.y);
+    add(p.z);
+  }
+  void rewind() { next_ = 0; }
+
+  [[nodiscard]] PairSums reduce() const {
+    std::array<double, kCount> sums{};
+    for (std::size_t i = 0; i < kCount; ++i) {
+      for (std::size_t lane = 0; lane < hn::Lanes(kDoubleTag); ++lane) {
+        sums[i] += sums_[kDoubles * i + lane];
+      }
+    }
+    return std::bit_cast<PairSums>(sums);
+  }
+
+ private:
+  using DoubleTag = hn::ScalableTag<double>;
+  static constexpr DoubleTag kDoubleTag{};
+  static constexpr hn::Rebind<float, DoubleTag> kHalfTag{};
+  static constexpr std::size_t kDoubles = HWY_MAX_BYTES / sizeof(double);
+
+  HWY_ALIGN double sums_[kCount * kDoubles] = {};
+  std::size_t next_ = 0;
+};
+
+/// Sums of one moving point a lane.
+struct LaneSums {
+  Floats matched, value, w;
+  Point r;             ///< sum w r
+  Point rx, ry, rz;    ///< rows of sum w r r^T; of ry.x, rz.x and rz.y there is no need
+};
+
+HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* begin,
+                             const PairTable::Row* end, std::size_t lane, const Point& q) {
+  const Floats zero = hn::Zero(kTag);
+  const Floats one = hn::Set(kTag, 1.0F);
+  Floats matched = zero, value = zero, w_sum = zero, x = zero, y = zero, z = zero;
+  Floats xx = zero, xy = zero, xz = zero, yy = zero, yz = zero, zz = zero;
+  for (const PairTable::Row* row = begin; row != end; ++row) {
+    const Point r = Point{hn::Load(kTag, row->x + lane), hn::Load(kTag, row->y + lane),
+                          hn::Load(kTag, row->z + lane)} -
+                    q;
+    const Floats k = constants.k(dot(r, r));
+    const auto inside = hn::Gt(k, constants.threshold);
+    const Floats c = hn::IfThenElseZero(inside, hn::Load(kTag, row->c + lane));
+    matched = hn::IfThenElse(inside, one, matched);
+    value = hn::MulAdd(c, hn::Sub(k, constants.threshold), value);
+    const Floats w = hn::Mul(c, k);
+    w_sum = hn::Add(w_sum, w);
+    const Floats wx = hn::Mul(w, r.x);
+    const Floats wy = hn::Mul(w, r.y);
+    const Floats wz = hn::Mul(w, r.z);
+    x = hn::Add(x, wx);
+    y = hn::Add(y, wy);
+    z = hn::Add(z, wz);
+    xx = hn::MulAdd(wx, r.x, xx);
+    xy = hn::MulAdd(wx, r.y, xy);
+    xz = hn::MulAdd(wx, r.z, xz);
+    yy = hn::MulAdd(wy, r.y, yy);
+    yz = hn::MulAdd(wy, r.z, yz);
+    zz = hn::MulAdd(wz, r.z, zz);
+  }
+  return {matched, value, w_sum, {x, y, z}, {xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
+}
+
+/// Adds the moving points of a vector to the totals, in the order of PairSums.
+HWY_INLINE void add_points(const LaneSums& sums, const Point& q, Floats inv2, Totals& totals) {
+  const auto scaled = [](const Point& p, Floats f) HWY_ATTR {
+    return Point{hn::Mul(p.x, f), hn::Mul(p.y, f), hn::Mul(p.z, f)};
+  };
+  const Floats inv4 = hn::Mul(inv2, inv2);
+  const Floats w = hn::Mul(sums.w, inv2);
+  const Point s = scaled(sums.r, inv2);
+  // Columns (or rows) of the symmetric A.
+  const Point ax{hn::NegMulAdd(inv4, sums.rx.x, w), hn::Mul(hn::Neg(inv4), sums.rx.y),
+                 hn::Mul(hn::Neg(inv4), sums.rx.z)};
+  const Point ay{ax.y, hn::NegMulAdd(inv4, sums.ry.y, w), hn::Mul(hn::Neg(inv4), sums.ry.z)};
+  const Point az{ax.z, ay.z, hn::NegMulAdd(inv4, sums.rz.z, w)};
+  // Row a of A q^ is a x q; column b of -q^ (A q^) is -(q x column b).
+  const Point rx = cross(ax, q);
+  const Point ry = cross(ay, q);
+  const Point rz = cross(az, q);
+  const Point bx{rx.x, ry.x, rz.x};
+  const Point by{rx.y, ry.y, rz.y};
+  const Point bz{rx.z, ry.z, rz.z};
+  const Point qx = cross(bx, q);
+  const Point qy = cross(by, q);
+  const Point qz = cross(bz, q);
+
+  totals.rewind();
+  totals.add(sums.value);
+  totals.add(sums.w);
+  totals.add(sums.matched);
+  totals.add(s);
+  totals.add(cross(q, s));
+  totals.add(ax);
+  totals.add(ay.y);
+  totals.add(ay.z);
+  totals.add(az.z);
+  totals.add(bx);
+  totals.add(by);
+  totals.add(bz);
+  totals.add(qx);
+  totals.add(qy.y);
+  totals.add(qy.z);
+  totals.add(qz.z);
+  totals.add(scaled(s, q.x));
+  totals.add(scaled(s, q.y));
+  totals.add(scaled(s, q.z));
+  const Point wq = scaled(q, sums.w);
+  totals.add(wq);
+  totals.add(scaled(q, wq.x));
+  totals.add(hn::Mul(q.y, wq.y));
+  totals.add(hn::Mul(q.y, wq.z));
+  totals.add(hn::Mul(q.z, wq.z));
+}
+
+PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
+                   double length_scale, std::size_t begin, std::size_t end) {
+  const Constants constants(kernel, length_scale);
+  const Floats inv2 = broadcast(1 / (length_scale * length_scale));
+  const Motion motion(T_fixed_moving);
+  Totals totals;
+  for (std::size_t g = begin; g < end; ++g) {
+    const PairTable::Group& group = table.groups()[g];
+    for (std::size_t lane = 0; lane < PairTable::kLanes; lane += hn::Lanes(kTag)) {
+      const Point q = motion * Point{hn::Load(kTag, group.x + lane), hn::Load(kTag, group.y + lane),
+                                     hn::Load(kTag, group.z + lane)};
+      const LaneSums sums = sum_rows(constants, table.rows().data() + group.row_begin,
+                                     table.rows().data() + group.row_end, lane, q);
+      add_points(sums, q, inv2, totals);
+    }
+  }
+  return totals.reduce();
+}
+
+void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
+                    const KernelOptions& kernel, std::size_t begin, std::size_t end,
+                    NeighborLists& lists) {
+  const auto find = kernel.color_kernel == ColorKernel::kLinear
+                        ? find_all<ColorKernel::kLinear>
+                        : find_all<ColorKernel::kSquaredExponential>;
+  find(grid, moving, T_fixed_moving, kernel, begin, end, lists);
+}
+
+double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
+                          const KernelOptions& kernel, double length_scale, std::size_t begin,
+                          std::size_t end) {
   const auto sum = kernel.color_kernel == ColorKernel::kLinear
-                       ? sum_all<ColorKernel::kLinear>
-                       : sum_all<ColorKernel::kSquaredExponential>;
-  sum(grid, moving, T_fixed_moving, constants, begin, end, sums);
+                       ? inner_products<ColorKernel::kLinear>
+                       : inner_products<ColorKernel::kSquaredExponential>;
+  return sum(grid, moving, kernel, length_scale, begin, end);
 }
 
 void simd_exp(std::span<const float> x, std::span<float> y) {
@@ -196,13 +404,26 @@ HWY_AFTER_NAMESPACE();
 namespace cvo_slam {
 
 HWY_EXPORT(sum_pairs);
+HWY_EXPORT(find_neighbors);
+HWY_EXPORT(sum_inner_products);
 HWY_EXPORT(simd_exp);
 
-void sum_pairs(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-               const KernelOptions& kernel, double length_scale, std::size_t begin, std::size_t end,
-               PairSums* sums) {
-  HWY_DYNAMIC_DISPATCH(sum_pairs)
-  (grid, moving, T_fixed_moving, kernel, length_scale, begin, end, sums);
+PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
+                   double length_scale, std::size_t begin, std::size_t end) {
+  return HWY_DYNAMIC_DISPATCH(sum_pairs)(table, T_fixed_moving, kernel, length_scale, begin, end);
+}
+
+void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
+                    const KernelOptions& kernel, std::size_t begin, std::size_t end,
+                    NeighborLists& lists) {
+  HWY_DYNAMIC_DISPATCH(find_neighbors)(grid, moving, T_fixed_moving, kernel, begin, end, lists);
+}
+
+double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
+                          const KernelOptions& kernel, double length_scale, std::size_t begin,
+                          std::size_t end) {
+  return HWY_DYNAMIC_DISPATCH(sum_inner_products)
+  (grid, moving, kernel, length_scale, begin, end);
 }
 
 std::vector<float> simd_exp(std::span<const float> x) {

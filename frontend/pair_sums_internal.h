@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -10,25 +11,43 @@
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/kernel.h"
 #include "cvo_slam/frontend/neighbor_grid_internal.h"
+#include "cvo_slam/frontend/pair_table_internal.h"
 
 namespace cvo_slam {
 
-/// What one moving point q contributes: sums over the fixed points x_i inside the kernel's support,
-/// with w = c k and r = x_i - q. All that gradient and Hessian need of the pairs.
+/// Sums over the pairs of a table that are inside the kernel's support, with moved points
+/// q_j = T z_j, r = x_i - q_j, w = c k, s_j = sum_i w r / ell^2 and
+/// A_j = sum_i (w / ell^2 I - w / ell^4 r r^T). All that the objective's derivatives need.
 struct PairSums {
-  float k = 0;       ///< sum k: positive where there is any neighbour
-  float w = 0;       ///< sum w
-  float excess = 0;  ///< sum c (k - sparsification)
-  float r[3] = {};   ///< sum w r
-  float rr[6] = {};  ///< sum w r r^T: xx, xy, xz, yy, yz, zz
+  double value = 0;    ///< sum c (k - sparsification)
+  double w = 0;        ///< sum w
+  double matched = 0;  ///< moving points with a neighbour inside the support
+  std::array<double, 3> s{};
+  std::array<double, 3> q_cross_s{};
+  std::array<double, 6> A{};        ///< xx, xy, xz, yy, yz, zz
+  std::array<double, 9> AQ{};       ///< A q^, by columns
+  std::array<double, 6> QAQ{};      ///< -q^ A q^: xx, xy, xz, yy, yz, zz
+  std::array<double, 9> sq{};       ///< s q^T, by columns
+  std::array<double, 3> wq{};       ///< w q
+  std::array<double, 6> wqq{};      ///< w q q^T: xx, xy, xz, yy, yz, zz
 };
 
-/// Sums the pairs of moving points [begin, end), moved by T_fixed_moving, with the points of the
-/// grid, at one length scale [m]; writes end - begin results. Single precision inside, SIMD chosen
-/// at run time; the order of the sums depends on the SIMD width alone.
-void sum_pairs(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-               const KernelOptions& kernel, double length_scale, std::size_t begin, std::size_t end,
-               PairSums* sums);
+/// Sums the groups [begin, end) of a table at a pose. Single precision within a moving point,
+/// double across points; SIMD chosen at run time. The order of the sums depends on the SIMD width
+/// alone.
+PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
+                   double length_scale, std::size_t begin, std::size_t end);
+
+/// Lists the grid's points within its radius of each of the moving points [begin, end), moved by
+/// T_fixed_moving.
+void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
+                    const KernelOptions& kernel, std::size_t begin, std::size_t end,
+                    NeighborLists& lists);
+
+/// sum_ij c k over the moving points [begin, end), not moved, and the grid's points.
+double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
+                          const KernelOptions& kernel, double length_scale, std::size_t begin,
+                          std::size_t end);
 
 /// exp(x) for each x <= 0, as the sums compute it (for tests of its error).
 std::vector<float> simd_exp(std::span<const float> x);

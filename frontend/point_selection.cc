@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
-#include <optional>
-#include <vector>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
+
+#include "cvo_slam/frontend/depth_lookup_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -18,191 +17,39 @@ namespace {
 /// Side of the cells that give at most one candidate each. Neighbouring pixels of one edge say the
 /// same thing twice. [px]
 constexpr int kCell = 4;
+/// Side of a bucket [cells]. At 640x480 a round of all buckets gives 768 points.
+constexpr int kBucketCells = 5;
+constexpr std::size_t kBucketSize = kBucketCells * kBucketCells;
 /// Pixels from the border that are not used: the gradient and the depth check need neighbours. [px]
 constexpr int kBorder = 4;
+/// Sobel's operator gives eight times the gradient in 8-bit values a pixel.
+constexpr float kGradientScale = 1.0F / 8;
 
-struct Candidate {
-  int u;
-  int v;
-  float gradient2;  ///< squared gradient magnitude
-  Vector3 point;    ///< in the camera frame at the colour image's time [m]
-};
-
-/// Grey image and its gradient by Sobel's operator, in 8-bit values a pixel.
-struct Gradients {
-  cv::Mat grey, dx, dy;  // CV_8U, CV_16S, CV_16S; the gradient in eighths
-
-  explicit Gradients(const cv::Mat& color) {
-    if (color.channels() == 1) {
-      grey = color;
-    } else {
-      cv::cvtColor(color, grey, cv::COLOR_BGR2GRAY);
-    }
-    cv::spatialGradient(grey, dx, dy, 3);
-  }
-
-  static constexpr float kScale = 1.0F / 8;
-
-  [[nodiscard]] float squared_magnitude(int u, int v) const {
-    const float gx = kScale * dx.at<std::int16_t>(v, u);
-    const float gy = kScale * dy.at<std::int16_t>(v, u);
-    return gx * gx + gy * gy;
-  }
-};
-
-/// Finds the depth of colour pixels and decides whether it can be trusted.
-class DepthLookup {
- public:
-  DepthLookup(const RgbdFrame& frame, const Camera& camera, const SE3& T_color_depth,
-              const SelectionOptions& options)
-      : depth_(frame.depth),
-        camera_(camera.color),
-        metres_(1 / camera.depth_scale),
-        T_color_depth_(T_color_depth),
-        T_depth_color_(T_color_depth.inverse()),
-        moved_(T_color_depth.log().norm() > 0),
-        options_(options) {}
-
-  /// The point seen at colour pixel (u, v); empty where there is no depth to be trusted.
-  [[nodiscard]] std::optional<Vector3> point(int u, int v) const {
-    const Vector3 ray = camera_.unproject({u, v});
-    if (!moved_) {
-      if (!trusted(u, v)) return std::nullopt;
-      return depth_at(u, v) * ray;
-    }
-
-    // The depth image was taken from elsewhere: search where it saw this ray. Depth changes little
-    // over the few pixels between, so that the iteration contracts quickly.
-    constexpr int kIterations = 3;
-    double z = depth_at(u, v);
-    if (z <= 0) return std::nullopt;
-    for (int i = 0; i < kIterations; ++i) {
-      const Vector3 expected = T_depth_color_ * (z * ray);
-      if (expected.z() <= 0) return std::nullopt;
-      const Eigen::Vector2d pixel = camera_.project(expected);
-      const double reach = kBorder;
-      if (!(pixel.x() > reach && pixel.y() > reach && pixel.x() < depth_.cols - reach &&
-            pixel.y() < depth_.rows - reach)) {
-        return std::nullopt;
-      }
-      const int du = cvRound(pixel.x());
-      const int dv = cvRound(pixel.y());
-      const double measured = depth_at(du, dv);
-      if (measured <= 0 || (i + 1 == kIterations && !trusted(du, dv))) return std::nullopt;
-      z = (T_color_depth_ * (expected * (measured / expected.z()))).z();
-    }
-    return z * ray;
-  }
-
- private:
-  [[nodiscard]] double depth_at(int u, int v) const {
-    return metres_ * depth_.at<std::uint16_t>(v, u);
-  }
-
-  /// True where the depth is in range and no neighbour two pixels around is much nearer or
-  /// farther: at a discontinuity colour and depth may belong to different surfaces. Neighbours
-  /// without depth are the shadow that structured light casts at such a place.
-  [[nodiscard]] bool trusted(int u, int v) const {
-    const double z = depth_at(u, v);
-    if (!(z >= options_.min_depth && z <= options_.max_depth)) return false;
-    const double limit = options_.max_depth_step * z;
-    for (int dv = -2; dv <= 2; dv += 2) {
-      for (int du = -2; du <= 2; du += 2) {
-        const double neighbour = depth_at(u + du, v + dv);
-        if (neighbour <= 0 || std::abs(neighbour - z) > limit) return false;
-      }
-    }
-    return true;
-  }
-
-  const cv::Mat& depth_;
-  const PinholeCamera& camera_;
-  double metres_;
-  SE3 T_color_depth_;
-  SE3 T_depth_color_;
-  bool moved_;
-  const SelectionOptions& options_;
-};
-
-/// The strongest pixel of each cell that passes `allowed` and has depth.
-template <typename Allowed>
-std::vector<Candidate> strongest_in_cells(const Gradients& gradients, float min_gradient2,
-                                          const DepthLookup& depth, const Allowed& allowed) {
-  std::vector<Candidate> candidates;
-  const int width = gradients.grey.cols;
-  const int height = gradients.grey.rows;
-  for (int v0 = kBorder; v0 + kCell <= height - kBorder; v0 += kCell) {
-    for (int u0 = kBorder; u0 + kCell <= width - kBorder; u0 += kCell) {
-      Candidate best{0, 0, min_gradient2, {}};
-      for (int v = v0; v < v0 + kCell; ++v) {
-        for (int u = u0; u < u0 + kCell; ++u) {
-          const float gradient2 = gradients.squared_magnitude(u, v);
-          if (gradient2 > best.gradient2 && allowed(u, v)) best = {u, v, gradient2, {}};
-        }
-      }
-      if (best.gradient2 <= min_gradient2) continue;
-      if (const auto point = depth.point(best.u, best.v)) {
-        best.point = *point;
-        candidates.push_back(best);
-      }
-    }
-  }
-  return candidates;
+/// An order of n buckets any part of which is spread over all: steps near the golden section.
+std::vector<std::uint32_t> scattered(std::size_t n) {
+  constexpr double kGoldenSection = 0.6180339887;
+  auto step = std::max<std::size_t>(1, static_cast<std::size_t>(kGoldenSection * static_cast<double>(n)));
+  while (std::gcd(step, n) > 1) ++step;
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<std::uint32_t>(i * step % n);
+  return order;
 }
 
-/// Orders candidates in rounds, each of which takes the strongest one left of every square bucket
-/// of the image, so that every prefix is evenly spread; keeps `count` of them.
-void spread(std::vector<Candidate>& candidates, int width, int height, int count) {
-  const double pixels = static_cast<double>(width) * height;
-  const int bucket = std::max(kCell, static_cast<int>(std::sqrt(2 * pixels / count)));
-  const int columns = width / bucket + 1;
-  const auto bucket_of = [&](const Candidate& c) { return c.v / bucket * columns + c.u / bucket; };
-
-  std::vector<std::uint32_t> order(candidates.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Candidate& ca = candidates[a];
-    const Candidate& cb = candidates[b];
-    if (ca.gradient2 != cb.gradient2) return ca.gradient2 > cb.gradient2;
-    return a < b;
-  });
-  std::vector<std::uint32_t> taken(static_cast<std::size_t>(columns * (height / bucket + 1)), 0);
-  std::vector<std::uint32_t> round(candidates.size());
-  for (const std::uint32_t i : order) {
-    round[i] = taken[static_cast<std::size_t>(bucket_of(candidates[i]))]++;
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return round[a] < round[b]; });
-  if (order.size() > static_cast<std::size_t>(count)) {
-    order.resize(static_cast<std::size_t>(count));
-  }
-  std::vector<Candidate> kept;
-  kept.reserve(order.size());
-  for (const std::uint32_t i : order) kept.push_back(candidates[i]);
-  candidates = std::move(kept);
-}
-
-PointCloud make_cloud(const std::vector<Candidate>& pixels, const RgbdFrame& frame,
-                      const Gradients& gradients) {
-  PointCloud cloud;
-  cloud.resize(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto& [u, v, gradient2, p] = pixels[i];
-    cloud.x[i] = static_cast<float>(p.x());
-    cloud.y[i] = static_cast<float>(p.y());
-    cloud.z[i] = static_cast<float>(p.z());
-    cloud.u[i] = static_cast<float>(u);
-    cloud.v[i] = static_cast<float>(v);
-    for (int c = 0; c < 3; ++c) {
-      const int channel = std::min(c, frame.color.channels() - 1);
-      cloud.features[static_cast<std::size_t>(c)][i] =
-          frame.color.ptr<std::uint8_t>(v)[u * frame.color.channels() + channel];
+std::vector<float> rays_of(const PinholeCamera& camera) {
+  std::vector<float> rays;
+  rays.reserve(2 * static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      const Vector3 ray = camera.unproject({u, v});
+      rays.push_back(static_cast<float>(ray.x()));
+      rays.push_back(static_cast<float>(ray.y()));
     }
-    cloud.features[3][i] = Gradients::kScale * gradients.dx.at<std::int16_t>(v, u);
-    cloud.features[4][i] = Gradients::kScale * gradients.dy.at<std::int16_t>(v, u);
   }
-  return cloud;
+  return rays;
 }
+
+int cells_along(int pixels) { return std::max(0, (pixels - 2 * kBorder) / kCell); }
+int buckets_along(int pixels) { return (cells_along(pixels) + kBucketCells - 1) / kBucketCells; }
 
 }  // namespace
 
@@ -240,25 +87,121 @@ std::string check_images(const RgbdFrame& frame, const Camera& camera) {
   return {};
 }
 
-PointCloud select_points(const RgbdFrame& frame, const Camera& camera, int count,
-                         const SelectionOptions& options, const SE3& T_color_depth) {
-  const Gradients gradients(frame.color);
-  const DepthLookup depth(frame, camera, T_color_depth, options);
-  const auto min_gradient2 = static_cast<float>(options.min_gradient * options.min_gradient);
-  std::vector<Candidate> candidates;
-  if (options.method == SelectionMethod::kGradient) {
-    candidates = strongest_in_cells(gradients, min_gradient2, depth, [](int, int) { return true; });
+PointSelector::PointSelector(const Camera& camera, const SelectionOptions& options)
+    : camera_(camera),
+      options_(options),
+      rays_(rays_of(camera.color)),
+      bucket_columns_(buckets_along(camera.color.width)),
+      round_(scattered(static_cast<std::size_t>(bucket_columns_ *
+                                                buckets_along(camera.color.height)))) {
+  candidates_.resize(round_.size() * kBucketSize);
+  next_.resize(round_.size());
+}
+
+void PointSelector::prepare(const RgbdFrame& frame) {
+  color_ = frame.color;
+  depth_ = frame.depth;
+  if (color_.channels() == 1) {
+    grey_ = color_;
   } else {
+    cv::cvtColor(color_, grey_, cv::COLOR_BGR2GRAY);
+  }
+  cv::spatialGradient(grey_, dx_, dy_, 3);
+  if (options_.method == SelectionMethod::kEdges) {
     constexpr double kLowThreshold = 50;  // on Sobel's sums: gradients of 6 and 12 values a pixel
     constexpr double kHighThreshold = 100;
-    cv::Mat edges;
-    cv::Canny(gradients.dx, gradients.dy, edges, kLowThreshold, kHighThreshold);
-    candidates = strongest_in_cells(gradients, min_gradient2, depth, [&](int u, int v) {
-      return edges.at<std::uint8_t>(v, u) != 0;
-    });
+    cv::Canny(dx_, dy_, edges_, kLowThreshold, kHighThreshold);
   }
-  spread(candidates, camera.color.width, camera.color.height, count);
-  return make_cloud(candidates, frame, gradients);
+  counts_.assign(round_.size(), 0);
+  rank_bands();
+}
+
+/// Offers the strongest pixel of each cell that has depth to its bucket.
+void PointSelector::rank_bands() {
+  const double threshold = options_.min_gradient / kGradientScale;
+  const auto min_gradient2 = static_cast<std::int32_t>(threshold * threshold);
+  const bool edges = options_.method == SelectionMethod::kEdges;
+  const int columns = cells_along(camera_.color.width);
+  std::vector<Candidate>& best = band_;
+  for (int row = 0; row < cells_along(camera_.color.height); ++row) {
+    best.assign(static_cast<std::size_t>(columns), {0, 0, min_gradient2});
+    for (int v = kBorder + row * kCell; v < kBorder + (row + 1) * kCell; ++v) {
+      const auto* dx = dx_.ptr<std::int16_t>(v);
+      const auto* dy = dy_.ptr<std::int16_t>(v);
+      const auto* edge = edges ? edges_.ptr<std::uint8_t>(v) : nullptr;
+      for (int u = kBorder; u < kBorder + columns * kCell; ++u) {
+        const std::int32_t gradient2 = dx[u] * dx[u] + dy[u] * dy[u];
+        Candidate& strongest = best[static_cast<std::size_t>((u - kBorder) / kCell)];
+        if (gradient2 > strongest.gradient2 && (edge == nullptr || edge[u] != 0)) {
+          strongest = {static_cast<std::uint16_t>(u), static_cast<std::uint16_t>(v), gradient2};
+        }
+      }
+    }
+    for (int column = 0; column < columns; ++column) {
+      const Candidate& strongest = best[static_cast<std::size_t>(column)];
+      if (strongest.u == 0 || depth_.at<std::uint16_t>(strongest.v, strongest.u) == 0) continue;
+      offer(static_cast<std::size_t>(row / kBucketCells * bucket_columns_ + column / kBucketCells),
+            strongest);
+    }
+  }
+}
+
+/// Keeps a bucket's candidates sorted, equal ones in the order of the image.
+void PointSelector::offer(std::size_t bucket, const Candidate& candidate) {
+  Candidate* const first = candidates_.data() + bucket * kBucketSize;
+  Candidate* place = first + counts_[bucket]++;
+  for (; place != first && (place - 1)->gradient2 < candidate.gradient2; --place) {
+    *place = *(place - 1);
+  }
+  *place = candidate;
+}
+
+void PointSelector::select(int count, const SE3& T_color_depth, PointCloud& cloud) {
+  const DepthLookup lookup(depth_, camera_, rays_, T_color_depth, options_);
+  cloud.clear();
+  std::fill(next_.begin(), next_.end(), std::uint8_t{0});
+  bool any_left = true;
+  while (any_left) {
+    any_left = false;
+    for (const std::uint32_t bucket : round_) {
+      while (next_[bucket] < counts_[bucket]) {
+        if (cloud.size() == static_cast<std::size_t>(count)) return;
+        const Candidate& candidate = candidates_[bucket * kBucketSize + next_[bucket]++];
+        const auto point = lookup.point(candidate.u, candidate.v);
+        if (!point) continue;
+        append(candidate, *point, cloud);
+        any_left = true;
+        break;
+      }
+    }
+  }
+}
+
+void PointSelector::append(const Candidate& candidate, const Vector3& point,
+                           PointCloud& cloud) const {
+  const auto& [u, v, gradient2] = candidate;
+  cloud.x.push_back(static_cast<float>(point.x()));
+  cloud.y.push_back(static_cast<float>(point.y()));
+  cloud.z.push_back(static_cast<float>(point.z()));
+  cloud.u.push_back(u);
+  cloud.v.push_back(v);
+  const int channels = color_.channels();
+  for (int c = 0; c < 3; ++c) {
+    const int channel = std::min(c, channels - 1);
+    cloud.features[static_cast<std::size_t>(c)].push_back(
+        color_.ptr<std::uint8_t>(v)[u * channels + channel]);
+  }
+  cloud.features[3].push_back(kGradientScale * dx_.at<std::int16_t>(v, u));
+  cloud.features[4].push_back(kGradientScale * dy_.at<std::int16_t>(v, u));
+}
+
+PointCloud select_points(const RgbdFrame& frame, const Camera& camera, int count,
+                         const SelectionOptions& options, const SE3& T_color_depth) {
+  PointSelector selector(camera, options);
+  selector.prepare(frame);
+  PointCloud cloud;
+  selector.select(count, T_color_depth, cloud);
+  return cloud;
 }
 
 }  // namespace cvo_slam

@@ -13,19 +13,39 @@
 
 namespace cvo_slam {
 
+namespace {
+
+/// The entry for a level of a list whose last entry holds for all after it.
+template <typename T>
+T at_level(const std::vector<T>& list, std::size_t level) {
+  return list[std::min(level, list.size() - 1)];
+}
+
+}  // namespace
+
 struct Registration::Impl {
   RegistrationOptions options;
   Executor executor;
   std::vector<Objective> levels;
   double fixed_squared_norm = 0;  // at the last level
+  PairTable pairs;                // memory
+  NeighborGrid moving_grid;       // memory
 
-  [[nodiscard]] LevelResult run_level(std::size_t level, const PointCloud& moving,
-                                      const SE3& T_init) const {
-    const auto& limits = options.max_iterations;
-    const int limit = limits[std::min(level, limits.size() - 1)];
-    const auto solve = options.solver == Solver::kFlow ? gradient_flow : newton;
-    return solve(levels[level], moving, T_init, limit, options, executor);
+  [[nodiscard]] std::size_t points_at(std::size_t level, std::size_t size) const {
+    const double share = at_level(options.point_shares, level);
+    return static_cast<std::size_t>(std::ceil(share * static_cast<double>(size)));
   }
+
+  void set_fixed(const PointCloud& fixed);
+  [[nodiscard]] StopRule stop_rule(std::size_t level) const;
+  LevelResult run_level(std::size_t level, const PointCloud& moving, const SE3& T_init);
+  struct Approach {
+    SE3 T_fixed_moving;
+    int iterations;
+  };
+  Approach approach(const PointCloud& moving, const SE3& T_init);
+  RegistrationResult refine(const PointCloud& moving, const SE3& T_init);
+  RegistrationResult assess(const PointCloud& moving, const LevelResult& state);
 };
 
 namespace {
@@ -70,58 +90,107 @@ RegistrationOptions checked(RegistrationOptions options) {
 }  // namespace
 
 Registration::Registration(const RegistrationOptions& options, int threads)
-    : impl_(std::make_unique<Impl>(Impl{checked(options), Executor(threads), {}, 0})) {}
+    : impl_(std::make_unique<Impl>(Impl{checked(options), Executor(threads), {}, 0, {}, {}})) {}
 
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;
 Registration& Registration::operator=(Registration&&) noexcept = default;
 
-void Registration::set_fixed(const PointCloud& fixed) {
-  const auto& scales = impl_->options.length_scales;
-  impl_->levels.resize(scales.size());
+void Registration::Impl::set_fixed(const PointCloud& fixed) {
+  const auto& scales = options.length_scales;
+  const auto by_x = finite_points_by_x(fixed);
+  levels.resize(scales.size());
   for (std::size_t level = 0; level < scales.size(); ++level) {
-    impl_->levels[level].build(fixed, impl_->options.kernel, scales[level]);
+    levels[level].build(fixed, by_x, points_at(level, fixed.size()), options.kernel, scales[level]);
   }
-  impl_->fixed_squared_norm = impl_->levels.back().squared_norm(fixed);
+  const Objective& finest = levels.back();
+  fixed_squared_norm = squared_norm(finest.grid(), fixed, finest.kernel(), finest.length_scale(), executor);
 }
 
-RegistrationResult Registration::align(const PointCloud& moving,
-                                       const SE3& T_fixed_moving_init) const {
-  if (impl_->levels.empty() || impl_->levels.back().grid().size() == 0) {
-    return failed(T_fixed_moving_init, "the fixed cloud has no points");
-  }
-  if (moving.empty()) return failed(T_fixed_moving_init, "the moving cloud has no points");
+/// A level before the last one need only lead well into the reach of the next.
+StopRule Registration::Impl::stop_rule(std::size_t level) const {
+  StopRule rule{at_level(options.max_iterations, level), options.tolerance_translation,
+                options.tolerance_rotation, false};
+  if (level + 1 == levels.size()) return rule;
+  const double enough = options.coarse_tolerance * levels[level + 1].length_scale();
+  rule.translation = std::max(rule.translation, enough);
+  rule.rotation = std::max(rule.rotation, 0.5 * enough);  // of a point 2 m away
+  rule.take_last_step = true;
+  return rule;
+}
 
-  LevelResult state{T_fixed_moving_init, {}, 0, false};
-  int iterations = 0;
-  for (std::size_t level = 0; level < impl_->levels.size(); ++level) {
-    state = impl_->run_level(level, moving, state.T_fixed_moving);
-    iterations += state.iterations;
+LevelResult Registration::Impl::run_level(std::size_t level, const PointCloud& moving,
+                                          const SE3& T_init) {
+  PoseObjective objective(levels[level], moving, points_at(level, moving.size()), pairs, executor);
+  if (options.solver == Solver::kNewton) return newton(objective, T_init, stop_rule(level));
+  return gradient_flow(levels[level], moving, T_init, at_level(options.max_iterations, level), options, executor);
+}
+
+/// All levels but the last; a level without overlap changes nothing.
+Registration::Impl::Approach Registration::Impl::approach(const PointCloud& moving,
+                                                          const SE3& T_init) {
+  Approach result{T_init, 0};
+  for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+    const LevelResult state = run_level(level, moving, result.T_fixed_moving);
+    result.T_fixed_moving = state.T_fixed_moving;
+    result.iterations += state.iterations;
   }
-  if (state.value.matched == 0) return failed(T_fixed_moving_init, "the clouds do not overlap");
+  return result;
+}
+
+RegistrationResult Registration::Impl::refine(const PointCloud& moving, const SE3& T_init) {
+  if (levels.empty() || levels.back().grid().size() == 0) {
+    return failed(T_init, "the fixed cloud has no points");
+  }
+  if (moving.empty()) return failed(T_init, "the moving cloud has no points");
+  const LevelResult state = run_level(levels.size() - 1, moving, T_init);
+  if (state.value.matched == 0) return failed(T_init, "the clouds do not overlap");
   if (is_undetermined(state.value)) {
-    return failed(T_fixed_moving_init,
+    return failed(T_init,
                   "the points that match do not determine the pose: too few, or all on a line");
   }
+  return assess(moving, state);
+}
 
+RegistrationResult Registration::Impl::assess(const PointCloud& moving, const LevelResult& state) {
   RegistrationResult result;
   result.T_fixed_moving = state.T_fixed_moving.normalized();
   result.status =
       state.converged ? RegistrationStatus::kConverged : RegistrationStatus::kIterationLimit;
   result.reason = state.converged ? "converged" : "iteration limit";
-  result.iterations = iterations;
+  result.iterations = state.iterations;
   result.objective = state.value.value;
   result.overlap = static_cast<double>(state.value.matched) / static_cast<double>(moving.size());
-  const Objective& finest = impl_->levels.back();
+  const Objective& finest = levels.back();
+  moving_grid.build(moving, support_radius(finest.kernel(), finest.length_scale()));
+  const double moving_squared_norm =
+      squared_norm(moving_grid, moving, finest.kernel(), finest.length_scale(), executor);
   // The kernel cut to its support is not positive definite: on a regular lattice the quotient can
   // be larger than one.
-  result.cos_theta =
-      std::min(1.0, state.value.inner_product /
-                        std::sqrt(impl_->fixed_squared_norm * finest.squared_norm(moving)));
+  result.cos_theta = std::min(1.0, state.value.inner_product /
+                                       std::sqrt(fixed_squared_norm * moving_squared_norm));
   const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
   result.information =
       right_information(curvature(state.value), result.T_fixed_moving) / mean_weight;
   return result;
+}
+
+void Registration::set_fixed(const PointCloud& fixed) { impl_->set_fixed(fixed); }
+
+RegistrationResult Registration::align(const PointCloud& moving, const SE3& T_fixed_moving_init) {
+  const Impl::Approach start = impl_->approach(moving, T_fixed_moving_init);
+  RegistrationResult result = impl_->refine(moving, start.T_fixed_moving);
+  result.iterations += start.iterations;
+  if (result.status == RegistrationStatus::kFailed) result.T_fixed_moving = T_fixed_moving_init;
+  return result;
+}
+
+SE3 Registration::approach(const PointCloud& moving, const SE3& T_fixed_moving_init) {
+  return impl_->approach(moving, T_fixed_moving_init).T_fixed_moving;
+}
+
+RegistrationResult Registration::refine(const PointCloud& moving, const SE3& T_fixed_moving_init) {
+  return impl_->refine(moving, T_fixed_moving_init);
 }
 
 RegistrationResult align(const PointCloud& fixed, const PointCloud& moving,

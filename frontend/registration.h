@@ -37,8 +37,12 @@ struct RegistrationOptions {
   std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015};
   /// Most iterations at each length scale; the last entry holds for the scales after it.
   std::vector<int> max_iterations = {5, 5, 5, 10};
+  /// Share of both clouds' points used at each length scale; the last entry holds for the scales
+  /// after it.
+  std::vector<double> point_shares = {0.25, 0.5, 1};
   double tolerance_translation = 1e-4;
   double tolerance_rotation = 1e-4;
+  double coarse_tolerance = 0.1;
   FlowOptions flow;
 };
 
@@ -88,8 +92,12 @@ class Registration {
   void set_fixed(const PointCloud& fixed);
   /// The pose that maps `moving` onto the fixed cloud, searched from T_fixed_moving_init.
   /// Never throws: clouds without points or without overlap give kFailed and a reason.
-  [[nodiscard]] RegistrationResult align(const PointCloud& moving,
-                                         const SE3& T_fixed_moving_init) const;
+  /// One call at a time: it works in memory of the object.
+  [[nodiscard]] RegistrationResult align(const PointCloud& moving, const SE3& T_fixed_moving_init);
+  /// align() in two parts, for a caller that can improve the moving cloud where its pose is nearly
+  /// known: all length scales but the last, and the last alone.
+  [[nodiscard]] SE3 approach(const PointCloud& moving, const SE3& T_fixed_moving_init);
+  [[nodiscard]] RegistrationResult refine(const PointCloud& moving, const SE3& T_fixed_moving_init);
 
  private:
   struct Impl;

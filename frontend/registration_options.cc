@@ -38,6 +38,12 @@ OptionSet describe(RegistrationOptions& o) {
           "max_iterations", o.max_iterations, {1, 10000}, "",
           "Most iterations at each length scale; the last entry also holds for those after it. The "
           "coarse scales only prepare the next: a few steps will do.")
+      .add("point_shares", o.point_shares, {1e-3, 1}, "",
+           "Share of both clouds' points used at each length scale; the last entry holds for the "
+           "scales after it. Wide kernels see little of what each point adds.")
+      .add("coarse_tolerance", o.coarse_tolerance, {0, 10}, "",
+           "A length scale before the last ends with a translation below this share of the next "
+           "one: that is where the next one takes over.")
       .add("tolerance_translation", o.tolerance_translation, {0, 1}, "m",
            "newton: a step shorter than both tolerances ends a length scale. A hundredth of the "
            "finest scale.")

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/frontend/motion_model_internal.h"
+#include "cvo_slam/frontend/rolling_shutter_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -51,6 +52,11 @@ std::string keyframe_reason(const RegistrationResult& result, const KeyframeOpti
   return {};
 }
 
+const Camera& checked(const Camera& camera) {
+  camera.check();
+  return camera;
+}
+
 TrackerOptions checked(TrackerOptions options) {
   describe(options).check();
   check_consistency(options);
@@ -63,12 +69,14 @@ struct Tracker::Impl {
   Impl(const Camera& camera_in, const TrackerOptions& options_in)
       : camera(camera_in),
         options(checked(options_in)),
-        registration(options.registration, options.threads) {
-    camera.check();
-  }
+        selector(checked(camera), options.selection),
+        registration(options.registration, options.threads) {}
 
   Camera camera;
   TrackerOptions options;
+  PointSelector selector;
+  PointCloud seen;            // the points of a frame as its rows saw them
+  PointCloud cloud;           // at its stamp
   Registration registration;  // against the current keyframe
   MotionModel motion;
   std::optional<std::size_t> keyframe;  // its index
@@ -80,39 +88,56 @@ struct Tracker::Impl {
 
   void track(const RgbdFrame& frame, FrameRecord& record);
   void start_segment(const RgbdFrame& frame, FrameRecord& record);
-  [[nodiscard]] PointCloud select(const RgbdFrame& frame, int count) const;
+  void select(const RgbdFrame& frame, int count);
+  void undo_shutter(const Vector6& velocity);
+  [[nodiscard]] bool has_rolling_shutter() const {
+    return options.compensate_rolling_shutter && camera.readout_time > 0;
+  }
   void set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera);
   void remember(const RgbdFrame& frame);
-  std::string register_frame(const PointCloud& cloud, FrameRecord& record);
-  std::string register_from(const PointCloud& cloud, const SE3& T_world_camera_init,
-                            FrameRecord& record) const;
+  std::string register_frame(FrameRecord& record);
+  std::string register_from(const SE3& T_world_camera_init, FrameRecord& record);
   void accept(const RgbdFrame& frame, FrameRecord& record);
   void reject(const std::string& reason, FrameRecord& record);
 };
 
+/// Makes the frame that the selector is prepared for the keyframe.
 void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera) {
   keyframe = frame.index;
   keyframe_is_last_tracked = true;
   T_world_keyframe = T_world_camera;
-  registration.set_fixed(select(frame, options.keyframe_points));
+  select(frame, options.keyframe_points);
+  undo_shutter(motion.velocity());
+  registration.set_fixed(cloud);
 }
 
 /// Keeps a copy of the images: the caller may grab the next ones into the same memory.
 void Tracker::Impl::remember(const RgbdFrame& frame) {
   keyframe_is_last_tracked = false;
+  cv::Mat color = last_tracked.color;
+  cv::Mat depth = last_tracked.depth;
+  frame.color.copyTo(color);
+  frame.depth.copyTo(depth);
   last_tracked = frame;
-  last_tracked.color = frame.color.clone();
-  last_tracked.depth = frame.depth.clone();
+  last_tracked.color = color;
+  last_tracked.depth = depth;
 }
 
-/// The frame's points, with the motion between its two images taken out.
-PointCloud Tracker::Impl::select(const RgbdFrame& frame, int count) const {
+/// The points of the prepared frame, with the motion between its two images taken out.
+void Tracker::Impl::select(const RgbdFrame& frame, int count) {
   // A longer delay is a depth stamp that was not set.
   constexpr double kMaxDelay = 0.1;  // [s]
   const double delay = seconds_between(frame.stamp, frame.depth_stamp);
   const bool compensate = options.compensate_depth_delay && std::abs(delay) < kMaxDelay;
   const SE3 T_color_depth = compensate ? motion.motion(frame.stamp, frame.depth_stamp) : SE3();
-  return select_points(frame, camera, count, options.selection, T_color_depth);
+  selector.select(count, T_color_depth, seen);
+}
+
+/// Makes `cloud` from the points seen, with the motion while the rows were read taken out.
+void Tracker::Impl::undo_shutter(const Vector6& velocity) {
+  cloud = seen;
+  if (!has_rolling_shutter()) return;
+  undo_rolling_shutter(seen, velocity, camera.readout_time, camera.color.height, cloud);
 }
 
 /// Begins a segment at the last known pose, which is the origin at first.
@@ -129,14 +154,23 @@ void Tracker::Impl::start_segment(const RgbdFrame& frame, FrameRecord& record) {
   motion.stop();
   motion.update(frame.stamp, record.T_world_camera);
   remember(frame);
+  selector.prepare(frame);
   set_keyframe(frame, record.T_world_camera);
 }
 
 /// Registers against the keyframe from a start; returns what is wrong with the result, or nothing.
-std::string Tracker::Impl::register_from(const PointCloud& cloud, const SE3& T_world_camera_init,
-                                         FrameRecord& record) const {
+std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, FrameRecord& record) {
   record.keyframe = *keyframe;
-  record.registration = registration.align(cloud, T_world_keyframe.inverse() * T_world_camera_init);
+  undo_shutter(motion.velocity());
+  const SE3 T_init = T_world_keyframe.inverse() * T_world_camera_init;
+  if (has_rolling_shutter()) {
+    // The predicted velocity is a frame old: undo again with the one that was found.
+    const SE3 T_keyframe_camera = registration.approach(cloud, T_init);
+    undo_shutter(motion.velocity_to(record.stamp, T_world_keyframe * T_keyframe_camera));
+    record.registration = registration.refine(cloud, T_keyframe_camera);
+  } else {
+    record.registration = registration.align(cloud, T_init);
+  }
   record.T_world_camera = T_world_keyframe * record.registration.T_fixed_moving;
   const std::string fault = find_fault(record.registration, options.lost);
   if (!fault.empty()) return fault;
@@ -146,21 +180,24 @@ std::string Tracker::Impl::register_from(const PointCloud& cloud, const SE3& T_w
 
 /// Registers from the predicted pose; where that fails without the velocity, and where that fails
 /// too against the last tracked frame, the most similar view there is.
-std::string Tracker::Impl::register_frame(const PointCloud& cloud, FrameRecord& record) {
+std::string Tracker::Impl::register_frame(FrameRecord& record) {
   if (record.stamp <= motion.last_stamp()) {
     return fmt::format("its stamp is not after the stamp {} of the last tracked frame",
                        motion.last_stamp().to_string());
   }
   const bool predict = options.prediction == Prediction::kConstantVelocity;
   std::string fault =
-      register_from(cloud, predict ? motion.predict(record.stamp) : T_world_keyframe, record);
+      register_from(predict ? motion.predict(record.stamp) : T_world_keyframe, record);
   if (!fault.empty() && predict && motion.is_moving()) {
-    fault = register_from(cloud, motion.last_pose(), record);
+    fault = register_from(motion.last_pose(), record);
   }
   if (!fault.empty() && !keyframe_is_last_tracked) {
+    const PointCloud points = seen;
+    selector.prepare(last_tracked);
     set_keyframe(last_tracked, motion.last_pose());
+    seen = points;
     record.promoted_keyframe = last_tracked.index;
-    fault = register_from(cloud, motion.last_pose(), record);
+    fault = register_from(motion.last_pose(), record);
   }
   if (!fault.empty()) motion.stop();
   return fault;
@@ -174,7 +211,9 @@ void Tracker::Impl::accept(const RgbdFrame& frame, FrameRecord& record) {
   record.keyframe_reason = options.reference == Reference::kPreviousFrame
                                ? "previous frame"
                                : keyframe_reason(record.registration, options.keyframe);
-  if (!record.keyframe_reason.empty()) set_keyframe(frame, record.T_world_camera);
+  if (record.keyframe_reason.empty()) return;
+  if (record.promoted_keyframe) selector.prepare(frame);
+  set_keyframe(frame, record.T_world_camera);
 }
 
 void Tracker::Impl::reject(const std::string& reason, FrameRecord& record) {
@@ -186,14 +225,15 @@ void Tracker::Impl::reject(const std::string& reason, FrameRecord& record) {
 void Tracker::Impl::track(const RgbdFrame& frame, FrameRecord& record) {
   const std::string problem = check_images(frame, camera);
   if (!problem.empty()) return reject(problem, record);
-  const PointCloud cloud = select(frame, options.points);
-  record.points = cloud.size();
-  if (cloud.size() < static_cast<std::size_t>(options.lost.min_points)) {
-    return reject(fmt::format("only {} points with gradient and depth", cloud.size()), record);
+  selector.prepare(frame);
+  select(frame, options.points);
+  record.points = seen.size();
+  if (seen.size() < static_cast<std::size_t>(options.lost.min_points)) {
+    return reject(fmt::format("only {} points with gradient and depth", seen.size()), record);
   }
   if (!keyframe) return start_segment(frame, record);
 
-  const std::string fault = register_frame(cloud, record);
+  const std::string fault = register_frame(record);
   if (fault.empty()) return accept(frame, record);
   reject(fault, record);
   if (lost_in_a_row >= options.lost.restart_after) {

@@ -53,6 +53,9 @@ OptionSet describe(TrackerOptions& o) {
       .add("compensate_depth_delay", o.compensate_depth_delay,
            "Takes the camera's predicted motion between the stamps of the colour and the depth "
            "image out of the points: sensors without a common clock take them up to 17 ms apart.")
+      .add("compensate_rolling_shutter", o.compensate_rolling_shutter,
+           "Takes the camera's motion while its rows were read (Camera::readout_time) out of the "
+           "points.")
       .add("threads", o.threads, {1, 1024}, "",
            "Threads of one registration. Results do not depend on it.")
       .add("selection", describe(o.selection))
@@ -73,7 +76,7 @@ TrackerOptions paper_options() {
   TrackerOptions o;
   o.reference = Reference::kPreviousFrame;
   o.prediction = Prediction::kIdentity;
-  o.compensate_depth_delay = false;
+  o.compensate_depth_delay = o.compensate_rolling_shutter = false;
   o.points = o.keyframe_points = 3000;
   o.selection.method = SelectionMethod::kEdges;
   o.registration.solver = Solver::kFlow;

@@ -43,6 +43,7 @@ struct TrackerOptions {
   int points = 1500;
   int keyframe_points = 6000;
   bool compensate_depth_delay = true;
+  bool compensate_rolling_shutter = true;
   int threads = 1;
   SelectionOptions selection;
   RegistrationOptions registration;

@@ -96,11 +96,14 @@ DepthCamera parse_depth_camera(const YAML::Node& map, const Path& file) {
 }
 
 Camera parse_own_camera(const YAML::Node& root, const Path& file) {
-  check_known(root, with_pinhole_keys({"name", "depth_scale", "depth"}), file);
+  check_known(root, with_pinhole_keys({"name", "depth_scale", "readout_time", "depth"}), file);
   Camera camera;
   camera.name = root["name"] ? root["name"].Scalar() : file.stem().string();
   camera.color = parse_pinhole(root, file);
   camera.depth_scale = parse_yaml_number(require(root, "depth_scale", file), "depth_scale", file);
+  if (const YAML::Node time = root["readout_time"]) {
+    camera.readout_time = parse_yaml_number(time, "readout_time", file);
+  }
   if (const YAML::Node depth = root["depth"]) camera.depth = parse_depth_camera(depth, file);
   return camera;
 }
@@ -150,6 +153,9 @@ std::string camera_to_yaml(const Camera& camera) {
   std::string text = fmt::format("name: {}\n", YAML::Dump(YAML::Node(camera.name)));
   text += pinhole_to_yaml(camera.color, "");
   text += fmt::format("depth_scale: {}  # units of the depth image a metre\n", camera.depth_scale);
+  if (camera.readout_time != 0) {
+    text += fmt::format("readout_time: {}  # of the rolling shutter [s]\n", camera.readout_time);
+  }
   if (!camera.depth) return text;
   text += "depth:\n" + pinhole_to_yaml(camera.depth->pinhole, "  ") + "  T_color_depth:\n";
   const Eigen::Matrix4d matrix = camera.depth->T_color_depth.matrix();

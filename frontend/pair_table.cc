@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/frontend/pair_table_internal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cvo_slam/frontend/pair_sums_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+constexpr std::size_t kChunk = 256;
+/// Further than any neighbour, and its square still a float. [m]
+constexpr float kFarAway = 1e6F;
+
+}  // namespace
+
+void PairTable::build(const NeighborGrid& grid, const PointCloud& moving, std::size_t count,
+                      const SE3& T_fixed_moving, const KernelOptions& kernel, double length_scale,
+                      const Executor& executor) {
+  lists_.resize(std::max(lists_.size(), Executor::chunk_count(count, kChunk)));
+  executor.for_each_chunk(count, kChunk, [&](std::size_t k, std::size_t begin, std::size_t end) {
+    find_neighbors(grid, moving, T_fixed_moving, kernel, begin, end, lists_[k]);
+  });
+  group_by_count(count);
+  fill(moving);
+
+  double max_range2 = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    max_range2 = std::max(max_range2, moving.position(j).squaredNorm());
+  }
+  max_range_ = std::sqrt(max_range2);
+  skin_ = grid.radius() - support_radius(kernel, length_scale);
+  T_fixed_moving_ = T_fixed_moving;
+  built_ = true;
+}
+
+bool PairTable::covers(const SE3& T_fixed_moving) const {
+  if (!built_) return false;
+  const SE3 change = T_fixed_moving_.inverse() * T_fixed_moving;
+  return change.translation().norm() + change.angle() * max_range_ <= skin_;
+}
+
+/// Sorts the points that have neighbours by how many, so that a group's rows are nearly full.
+void PairTable::group_by_count(std::size_t count) {
+  constexpr std::uint32_t kMost = 1023;  // what has more is left unsorted
+  bucket_.assign(kMost + 2, 0);
+  list_begin_.resize(count);
+  const auto count_of = [&](std::size_t j) { return lists_[j / kChunk].count[j % kChunk]; };
+  const auto bucket_of = [&](std::size_t j) { return kMost - std::min(count_of(j), kMost); };
+  std::uint32_t begin = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    if (j % kChunk == 0) begin = 0;
+    list_begin_[j] = begin;
+    begin += count_of(j);
+    ++bucket_[bucket_of(j) + 1];
+  }
+  for (std::size_t b = 1; b < bucket_.size(); ++b) bucket_[b] += bucket_[b - 1];
+  const std::size_t with_neighbors = bucket_[kMost];
+  order_.resize(count);
+  for (std::size_t j = 0; j < count; ++j) {
+    order_[bucket_[bucket_of(j)]++] = static_cast<std::uint32_t>(j);
+  }
+  order_.resize(with_neighbors);
+}
+
+void PairTable::fill(const PointCloud& moving) {
+  groups_.resize(Executor::chunk_count(order_.size(), kLanes));
+  std::size_t rows_used = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    Group& group = groups_[g];
+    const std::size_t points = std::min(kLanes, order_.size() - g * kLanes);
+    std::size_t most = 0;
+    for (std::size_t lane = 0; lane < points; ++lane) {
+      const std::size_t j = order_[g * kLanes + lane];
+      most = std::max<std::size_t>(most, lists_[j / kChunk].count[j % kChunk]);
+    }
+    group.row_begin = rows_used;
+    group.row_end = rows_used += most;
+    if (rows_.size() < rows_used) rows_.resize(2 * rows_used);
+    Row* const rows = rows_.data() + group.row_begin;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      std::size_t n = 0;
+      group.x[lane] = group.y[lane] = group.z[lane] = 0;
+      if (lane < points) {
+        const std::size_t j = order_[g * kLanes + lane];
+        const NeighborLists& lists = lists_[j / kChunk];
+        group.x[lane] = moving.x[j];
+        group.y[lane] = moving.y[j];
+        group.z[lane] = moving.z[j];
+        const std::size_t begin = list_begin_[j];
+        for (; n < lists.count[j % kChunk]; ++n) {
+          rows[n].x[lane] = lists.x[begin + n];
+          rows[n].y[lane] = lists.y[begin + n];
+          rows[n].z[lane] = lists.z[begin + n];
+          rows[n].c[lane] = lists.c[begin + n];
+        }
+      }
+      for (; n < most; ++n) {
+        rows[n].x[lane] = rows[n].y[lane] = rows[n].z[lane] = kFarAway;
+        rows[n].c[lane] = 0;
+      }
+    }
+  }
+}
+
+}  // namespace cvo_slam
