@@ -64,6 +64,7 @@ class PoseObjective {
   PoseObjective(const Objective& objective, const PointCloud& moving, std::size_t count,
                 PairTable& pairs, const Executor& executor);
 
+  [[nodiscard]] const KernelOptions& kernel() const { return objective_.kernel(); }
   [[nodiscard]] double length_scale() const { return objective_.length_scale(); }
   [[nodiscard]] ObjectiveValue evaluate(const SE3& T_fixed_moving);
   /// The pairs for this pose.

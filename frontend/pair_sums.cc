@@ -70,6 +70,10 @@ HWY_INLINE Point operator-(const Point& a, const Point& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
 
+HWY_INLINE Point operator+(const Point& a, const Point& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
 HWY_INLINE Floats dot(const Point& a, const Point& b) {
   return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
@@ -220,10 +224,9 @@ double inner_products(const NeighborGrid& grid, const PointCloud& moving,
 }
 
 /// Double precision sums of single precision lanes.
+template <std::size_t kCount>
 class Totals {
  public:
-  static constexpr std::size_t kCount = sizeof(PairSums) / sizeof(double);
-
   HWY_INLINE void add(Floats v) {
     HWY_ALIGN float lanes[HWY_MAX_BYTES / sizeof(float)];
     hn::Store(v, kTag, lanes);
@@ -241,14 +244,14 @@ class Totals {
   }
   void rewind() { next_ = 0; }
 
-  [[nodiscard]] PairSums reduce() const {
+  [[nodiscard]] std::array<double, kCount> reduce() const {
     std::array<double, kCount> sums{};
     for (std::size_t i = 0; i < kCount; ++i) {
       for (std::size_t lane = 0; lane < hn::Lanes(kDoubleTag); ++lane) {
         sums[i] += sums_[kDoubles * i + lane];
       }
     }
-    return std::bit_cast<PairSums>(sums);
+    return sums;
   }
 
  private:
@@ -261,12 +264,21 @@ class Totals {
   std::size_t next_ = 0;
 };
 
+using PairTotals = Totals<sizeof(PairSums) / sizeof(double)>;
+
 /// Sums of one moving point a lane.
 struct LaneSums {
   Floats matched, value, w;
   Point r;             ///< sum w r
   Point rx, ry, rz;    ///< rows of sum w r r^T; of ry.x, rz.x and rz.y there is no need
 };
+
+/// The positions in a row or group from a lane on.
+template <typename Positions>
+HWY_INLINE Point load(const Positions& from, std::size_t lane) {
+  return {hn::Load(kTag, from.x + lane), hn::Load(kTag, from.y + lane),
+          hn::Load(kTag, from.z + lane)};
+}
 
 HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* begin,
                              const PairTable::Row* end, std::size_t lane, const Point& q) {
@@ -275,9 +287,7 @@ HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* b
   Floats matched = zero, value = zero, w_sum = zero, x = zero, y = zero, z = zero;
   Floats xx = zero, xy = zero, xz = zero, yy = zero, yz = zero, zz = zero;
   for (const PairTable::Row* row = begin; row != end; ++row) {
-    const Point r = Point{hn::Load(kTag, row->x + lane), hn::Load(kTag, row->y + lane),
-                          hn::Load(kTag, row->z + lane)} -
-                    q;
+    const Point r = load(*row, lane) - q;
     const Floats k = constants.k(dot(r, r));
     const auto inside = hn::Gt(k, constants.threshold);
     const Floats c = hn::IfThenElseZero(inside, hn::Load(kTag, row->c + lane));
@@ -302,7 +312,7 @@ HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* b
 }
 
 /// Adds the moving points of a vector to the totals, in the order of PairSums.
-HWY_INLINE void add_points(const LaneSums& sums, const Point& q, Floats inv2, Totals& totals) {
+HWY_INLINE void add_points(const LaneSums& sums, const Point& q, Floats inv2, PairTotals& totals) {
   const auto scaled = [](const Point& p, Floats f) HWY_ATTR {
     return Point{hn::Mul(p.x, f), hn::Mul(p.y, f), hn::Mul(p.z, f)};
   };
@@ -358,15 +368,84 @@ PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const Kern
   const Constants constants(kernel, length_scale);
   const Floats inv2 = broadcast(1 / (length_scale * length_scale));
   const Motion motion(T_fixed_moving);
-  Totals totals;
+  PairTotals totals;
   for (std::size_t g = begin; g < end; ++g) {
     const PairTable::Group& group = table.groups()[g];
     for (std::size_t lane = 0; lane < PairTable::kLanes; lane += hn::Lanes(kTag)) {
-      const Point q = motion * Point{hn::Load(kTag, group.x + lane), hn::Load(kTag, group.y + lane),
-                                     hn::Load(kTag, group.z + lane)};
+      const Point q = motion * load(group, lane);
       const LaneSums sums = sum_rows(constants, table.rows().data() + group.row_begin,
                                      table.rows().data() + group.row_end, lane, q);
       add_points(sums, q, inv2, totals);
+    }
+  }
+  return std::bit_cast<PairSums>(totals.reduce());
+}
+
+/// A vector that is the same for all points.
+HWY_INLINE Point broadcast(const Vector3& p) {
+  return {broadcast(p.x()), broadcast(p.y()), broadcast(p.z())};
+}
+
+/// What the flow gives a moving point, for sum_expansion().
+struct PointFlow {
+  PointFlow(const Point& omega, const Point& v, const Point& q)
+      : u(cross(omega, q) + v), wu(cross(omega, u)), wwu(cross(omega, wu)), wwwu(cross(omega, wwu)),
+        u2(dot(u, u)), wu2(dot(wu, wu)) {}
+  Point u, wu, wwu, wwwu;
+  Floats u2, wu2;
+};
+
+struct Expansion {
+  Floats g1, g2, g3, g4;
+};
+
+/// Adds a pair with weight w and difference r = x - q.
+HWY_INLINE void add_pair(const PointFlow& flow, Floats inv2, const Point& r, Floats w,
+                         Expansion& sum) {
+  const auto times = [](double f, Floats x) HWY_ATTR { return hn::Mul(broadcast(f), x); };
+  const Floats beta = hn::Neg(hn::Mul(inv2, dot(flow.u, r)));
+  const Floats gamma = times(-0.5, hn::Mul(inv2, hn::Sub(flow.u2, dot(flow.wu, r))));
+  const Floats delta = times(-1.0 / 6, hn::Mul(inv2, dot(flow.wwu, r)));
+  const Floats eps = times(1.0 / 24, hn::Mul(inv2, hn::Add(flow.wu2, dot(flow.wwwu, r))));
+  const Floats beta2 = hn::Mul(beta, beta);
+  const Floats g2 = hn::Add(gamma, times(0.5, beta2));
+  const Floats g3 = hn::MulAdd(beta, gamma, hn::MulAdd(beta2, times(1.0 / 6, beta), delta));
+  Floats g4 = hn::MulAdd(beta, delta, eps);
+  g4 = hn::MulAdd(times(0.5, beta2), gamma, g4);
+  g4 = hn::MulAdd(times(0.5, gamma), gamma, g4);
+  g4 = hn::MulAdd(times(1.0 / 24, beta2), beta2, g4);
+  sum.g1 = hn::MulAdd(w, beta, sum.g1);
+  sum.g2 = hn::MulAdd(w, g2, sum.g2);
+  sum.g3 = hn::MulAdd(w, g3, sum.g3);
+  sum.g4 = hn::MulAdd(w, g4, sum.g4);
+}
+
+std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_moving,
+                                    const KernelOptions& kernel, double length_scale,
+                                    const Vector3& omega, const Vector3& v) {
+  const Constants constants(kernel, length_scale);
+  const Floats inv2 = broadcast(1 / (length_scale * length_scale));
+  const Motion motion(T_fixed_moving);
+  Totals<4> totals;
+  for (const PairTable::Group& group : table.groups()) {
+    for (std::size_t lane = 0; lane < PairTable::kLanes; lane += hn::Lanes(kTag)) {
+      const Point q = motion * load(group, lane);
+      const PointFlow flow(broadcast(omega), broadcast(v), q);
+      const Floats zero = hn::Zero(kTag);
+      Expansion sum{zero, zero, zero, zero};
+      for (std::size_t i = group.row_begin; i < group.row_end; ++i) {
+        const PairTable::Row& row = table.rows()[i];
+        const Point r = load(row, lane) - q;
+        const Floats k = constants.k(dot(r, r));
+        const auto inside = hn::Gt(k, constants.threshold);
+        const Floats w = hn::IfThenElseZero(inside, hn::Mul(k, hn::Load(kTag, row.c + lane)));
+        // Without the check 0 times the square of a far-away padding could be 0 times infinity.
+        const Point near{hn::IfThenElseZero(inside, r.x), hn::IfThenElseZero(inside, r.y),
+                         hn::IfThenElseZero(inside, r.z)};
+        add_pair(flow, inv2, near, w, sum);
+      }
+      totals.rewind();
+      for (const Floats g : {sum.g1, sum.g2, sum.g3, sum.g4}) totals.add(g);
     }
   }
   return totals.reduce();
@@ -404,6 +483,7 @@ HWY_AFTER_NAMESPACE();
 namespace cvo_slam {
 
 HWY_EXPORT(sum_pairs);
+HWY_EXPORT(sum_expansion);
 HWY_EXPORT(find_neighbors);
 HWY_EXPORT(sum_inner_products);
 HWY_EXPORT(simd_exp);
@@ -411,6 +491,12 @@ HWY_EXPORT(simd_exp);
 PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
                    double length_scale, std::size_t begin, std::size_t end) {
   return HWY_DYNAMIC_DISPATCH(sum_pairs)(table, T_fixed_moving, kernel, length_scale, begin, end);
+}
+
+std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_moving,
+                                    const KernelOptions& kernel, double length_scale,
+                                    const Vector3& omega, const Vector3& v) {
+  return HWY_DYNAMIC_DISPATCH(sum_expansion)(table, T_fixed_moving, kernel, length_scale, omega, v);
 }
 
 void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,

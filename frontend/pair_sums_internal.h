@@ -38,6 +38,17 @@ struct PairSums {
 PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
                    double length_scale, std::size_t begin, std::size_t end);
 
+/// G(t) = F(h exp(t xi)) - F(h) to fourth order in t, for h = T^-1 and the flow u = omega x q + v of
+/// the moved points q: the coefficients of t, t^2, t^3, t^4. With ln k along the flow
+/// beta t + gamma t^2 + delta t^3 + eps t^4,
+///   beta  = -1/ell^2 <u, r>,                  gamma = -1/(2 ell^2) (|u|^2 - <w^ u, r>),
+///   delta = -1/(6 ell^2) <w^2 u, r>,          eps = 1/(24 ell^2) (|w^ u|^2 + <w^3 u, r>)
+/// each pair adds w times the coefficients of the exponential series. (The paper's lack the
+/// factorials and alternating signs.)
+std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_moving,
+                                    const KernelOptions& kernel, double length_scale,
+                                    const Vector3& omega, const Vector3& v);
+
 /// Lists the grid's points within its radius of each of the moving points [begin, end), moved by
 /// T_fixed_moving.
 void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,

@@ -39,12 +39,8 @@ struct Registration::Impl {
   void set_fixed(const PointCloud& fixed);
   [[nodiscard]] StopRule stop_rule(std::size_t level) const;
   LevelResult run_level(std::size_t level, const PointCloud& moving, const SE3& T_init);
-  struct Approach {
-    SE3 T_fixed_moving;
-    int iterations;
-  };
   Approach approach(const PointCloud& moving, const SE3& T_init);
-  RegistrationResult refine(const PointCloud& moving, const SE3& T_init);
+  RegistrationResult refine(const PointCloud& moving, const Approach& start);
   RegistrationResult assess(const PointCloud& moving, const LevelResult& state);
 };
 
@@ -123,12 +119,11 @@ LevelResult Registration::Impl::run_level(std::size_t level, const PointCloud& m
                                           const SE3& T_init) {
   PoseObjective objective(levels[level], moving, points_at(level, moving.size()), pairs, executor);
   if (options.solver == Solver::kNewton) return newton(objective, T_init, stop_rule(level));
-  return gradient_flow(levels[level], moving, T_init, at_level(options.max_iterations, level), options, executor);
+  return gradient_flow(objective, T_init, at_level(options.max_iterations, level), options.flow);
 }
 
 /// All levels but the last; a level without overlap changes nothing.
-Registration::Impl::Approach Registration::Impl::approach(const PointCloud& moving,
-                                                          const SE3& T_init) {
+Approach Registration::Impl::approach(const PointCloud& moving, const SE3& T_init) {
   Approach result{T_init, 0};
   for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
     const LevelResult state = run_level(level, moving, result.T_fixed_moving);
@@ -138,7 +133,8 @@ Registration::Impl::Approach Registration::Impl::approach(const PointCloud& movi
   return result;
 }
 
-RegistrationResult Registration::Impl::refine(const PointCloud& moving, const SE3& T_init) {
+RegistrationResult Registration::Impl::refine(const PointCloud& moving, const Approach& start) {
+  const SE3& T_init = start.T_fixed_moving;
   if (levels.empty() || levels.back().grid().size() == 0) {
     return failed(T_init, "the fixed cloud has no points");
   }
@@ -149,7 +145,9 @@ RegistrationResult Registration::Impl::refine(const PointCloud& moving, const SE
     return failed(T_init,
                   "the points that match do not determine the pose: too few, or all on a line");
   }
-  return assess(moving, state);
+  RegistrationResult result = assess(moving, state);
+  result.iterations = start.iterations + state.iterations;
+  return result;
 }
 
 RegistrationResult Registration::Impl::assess(const PointCloud& moving, const LevelResult& state) {
@@ -158,7 +156,6 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
   result.status =
       state.converged ? RegistrationStatus::kConverged : RegistrationStatus::kIterationLimit;
   result.reason = state.converged ? "converged" : "iteration limit";
-  result.iterations = state.iterations;
   result.objective = state.value.value;
   result.overlap = static_cast<double>(state.value.matched) / static_cast<double>(moving.size());
   const Objective& finest = levels.back();
@@ -178,19 +175,17 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
 void Registration::set_fixed(const PointCloud& fixed) { impl_->set_fixed(fixed); }
 
 RegistrationResult Registration::align(const PointCloud& moving, const SE3& T_fixed_moving_init) {
-  const Impl::Approach start = impl_->approach(moving, T_fixed_moving_init);
-  RegistrationResult result = impl_->refine(moving, start.T_fixed_moving);
-  result.iterations += start.iterations;
+  RegistrationResult result = impl_->refine(moving, impl_->approach(moving, T_fixed_moving_init));
   if (result.status == RegistrationStatus::kFailed) result.T_fixed_moving = T_fixed_moving_init;
   return result;
 }
 
-SE3 Registration::approach(const PointCloud& moving, const SE3& T_fixed_moving_init) {
-  return impl_->approach(moving, T_fixed_moving_init).T_fixed_moving;
+Approach Registration::approach(const PointCloud& moving, const SE3& T_fixed_moving_init) {
+  return impl_->approach(moving, T_fixed_moving_init);
 }
 
-RegistrationResult Registration::refine(const PointCloud& moving, const SE3& T_fixed_moving_init) {
-  return impl_->refine(moving, T_fixed_moving_init);
+RegistrationResult Registration::refine(const PointCloud& moving, const Approach& start) {
+  return impl_->refine(moving, start);
 }
 
 RegistrationResult align(const PointCloud& fixed, const PointCloud& moving,

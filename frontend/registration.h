@@ -39,7 +39,7 @@ struct RegistrationOptions {
   std::vector<int> max_iterations = {5, 5, 5, 10};
   /// Share of both clouds' points used at each length scale; the last entry holds for the scales
   /// after it.
-  std::vector<double> point_shares = {0.25, 0.5, 1};
+  std::vector<double> point_shares = {0.15, 0.3, 0.6, 1};
   double tolerance_translation = 1e-4;
   double tolerance_rotation = 1e-4;
   double coarse_tolerance = 0.1;
@@ -78,6 +78,12 @@ struct RegistrationResult {
   Matrix6 information = Matrix6::Zero();
 };
 
+/// Where a registration stands before its last length scale.
+struct Approach {
+  SE3 T_fixed_moving;
+  int iterations = 0;
+};
+
 /// Registration against one fixed cloud: neighbour search is prepared once per length scale and
 /// serves every moving cloud.
 class Registration {
@@ -96,8 +102,8 @@ class Registration {
   [[nodiscard]] RegistrationResult align(const PointCloud& moving, const SE3& T_fixed_moving_init);
   /// align() in two parts, for a caller that can improve the moving cloud where its pose is nearly
   /// known: all length scales but the last, and the last alone.
-  [[nodiscard]] SE3 approach(const PointCloud& moving, const SE3& T_fixed_moving_init);
-  [[nodiscard]] RegistrationResult refine(const PointCloud& moving, const SE3& T_fixed_moving_init);
+  [[nodiscard]] Approach approach(const PointCloud& moving, const SE3& T_fixed_moving_init);
+  [[nodiscard]] RegistrationResult refine(const PointCloud& moving, const Approach& start);
 
  private:
   struct Impl;

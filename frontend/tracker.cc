@@ -165,9 +165,9 @@ std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, FrameRe
   const SE3 T_init = T_world_keyframe.inverse() * T_world_camera_init;
   if (has_rolling_shutter()) {
     // The predicted velocity is a frame old: undo again with the one that was found.
-    const SE3 T_keyframe_camera = registration.approach(cloud, T_init);
-    undo_shutter(motion.velocity_to(record.stamp, T_world_keyframe * T_keyframe_camera));
-    record.registration = registration.refine(cloud, T_keyframe_camera);
+    const Approach approach = registration.approach(cloud, T_init);
+    undo_shutter(motion.velocity_to(record.stamp, T_world_keyframe * approach.T_fixed_moving));
+    record.registration = registration.refine(cloud, approach);
   } else {
     record.registration = registration.align(cloud, T_init);
   }
