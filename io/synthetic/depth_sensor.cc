@@ -24,8 +24,6 @@ double obliqueness(double angle) {
   return bounded / (0.5 * std::numbers::pi - bounded);
 }
 
-double angle_of(float cosine) { return std::acos(std::min(1.0F, cosine)); }
-
 }  // namespace
 
 double kinect_axial_noise(double z, double angle) {
@@ -91,8 +89,7 @@ cv::Mat DepthSensor::labels(const Picture& picture) const {
 cv::Point DepthSensor::displaced(const Picture& picture, const cv::Mat& labels,
                                  const NoiseFields& noise, const cv::Point& at) const {
   if (noise.right.empty()) return at;
-  const double sigma =
-      options_.lateral * kinect_lateral_noise(angle_of(picture.cosine.at<float>(at)));
+  const double sigma = options_.lateral * kinect_lateral_noise(picture.angle.at<float>(at));
   const auto moved = [sigma](int from, float by, int end) {
     return std::clamp(from + static_cast<int>(std::lround(sigma * by)), 0, end - 1);
   };
@@ -106,21 +103,21 @@ bool DepthSensor::returns_light(const Picture& picture, const cv::Point& at) con
       picture.reflectance.at<float>(at) < options_.min_reflectance) {
     return false;
   }
-  return picture.cosine.empty() || angle_of(picture.cosine.at<float>(at)) <= options_.max_incidence;
+  return picture.angle.empty() || picture.angle.at<float>(at) <= options_.max_incidence;
 }
 
 /// The depth that is measured, where `noise` is normally distributed with variance 1.
 double DepthSensor::disturbed(double depth, double angle, double noise) const {
-  const double step = kinect_depth_step(depth, options_.disparity_step);
-  // The formula was fitted to quantised depths: the part of the steps, which are uniformly
-  // distributed, comes by itself.
-  const double sigma = options_.axial * kinect_axial_noise(depth, angle);
-  const double measured =
-      depth + noise * std::sqrt(std::max(0.0, sigma * sigma - step * step / 12));
-  if (options_.disparity_step == 0) return measured;
-  const double disparity = options_.disparity_step *
-                           std::round(kFocalTimesBaseline / measured / options_.disparity_step);
-  return disparity > 0 ? kFocalTimesBaseline / disparity : 0;
+  if (options_.axial > 0) {
+    const double sigma = options_.axial * kinect_axial_noise(depth, angle);
+    const double step = kinect_depth_step(depth, options_.disparity_step);
+    // The formula was fitted to quantised depths: the part of the steps, within which depths are
+    // uniformly distributed, comes by itself.
+    depth += noise * std::sqrt(std::max(0.0, sigma * sigma - step * step / 12));
+  }
+  if (options_.disparity_step == 0) return depth;
+  const double steps = std::round(kFocalTimesBaseline / depth / options_.disparity_step);
+  return steps > 0 ? kFocalTimesBaseline / (steps * options_.disparity_step) : 0;
 }
 
 /// What is beyond the range of the sensor or of 16 bits is left without depth.
@@ -141,7 +138,7 @@ cv::Mat DepthSensor::measure(const Picture& picture, std::uint32_t seed) const {
       if (depth <= 0 || surfaces.at<std::int32_t>(seen) < 0 || !returns_light(picture, seen)) {
         continue;
       }
-      const double angle = picture.cosine.empty() ? 0 : angle_of(picture.cosine.at<float>(seen));
+      const double angle = picture.angle.empty() ? 0 : picture.angle.at<float>(seen);
       depth = disturbed(depth, angle, noise.along.empty() ? 0 : noise.along.at<float>(y, x));
       units.at<std::uint16_t>(y, x) = to_units(depth);
     }

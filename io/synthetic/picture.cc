@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "cvo_slam/io/synthetic/picture_internal.h"
@@ -116,7 +117,8 @@ void draw_row(Picture& picture, const View& view, const VisibilityImage& visibil
     }
     if (channels.geometry) {
       picture.surface.at<std::int32_t>(y, x) = surface_number(visible);
-      picture.cosine.at<float>(y, x) = static_cast<float>(view.cosine_of_incidence(visible, x, y));
+      picture.angle.at<float>(y, x) =
+          std::acos(static_cast<float>(view.cosine_of_incidence(visible, x, y)));
     }
     if (channels.reflectance) {
       picture.reflectance.at<float>(y, x) =

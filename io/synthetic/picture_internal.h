@@ -25,7 +25,7 @@ struct Picture {
   cv::Mat color;        ///< CV_32FC3 (blue, green, red), grey levels, white may exceed 255
   cv::Mat depth;        ///< CV_64FC1, z of the surface at the pixel's centre [m]; 0 = nothing
   cv::Mat surface;      ///< geometry: CV_32SC1, a number for each surface, -1 = nothing
-  cv::Mat cosine;       ///< geometry: CV_32FC1, of the angle of incidence; 0 = nothing
+  cv::Mat angle;        ///< geometry: CV_32FC1, between ray and normal [rad]; pi/2 = nothing
   cv::Mat reflectance;  ///< CV_32FC1, share of light, mean of the three colours
 };
 

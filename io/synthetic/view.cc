@@ -178,7 +178,8 @@ Color View::reflectance(const Visible& visible, double x, double y, double side)
 double View::cosine_of_incidence(const Visible& visible, double x, double y) const {
   if (visible.primitive == Visible::kNothing) return 0;
   const Point point = point_at(visible, x, y);
-  return std::abs(point.surface.normal.dot(point.ray.direction)) / point.ray.direction.norm();
+  return std::min(
+      1.0, std::abs(point.surface.normal.dot(point.ray.direction)) / point.ray.direction.norm());
 }
 
 Color View::reflectance(const Visible& visible, const Point& point, double side) const {
