@@ -26,7 +26,7 @@ struct SequenceOptions {
   /// Of the colour images. PNG by default: without loss, so that colour is as exact as the poses;
   /// JPEG (quality 95) takes about a third of the space.
   ImageFormat image = ImageFormat::kPng;
-  SensorOptions sensor;  ///< an ideal one by default
+  SensorOptions sensor = {};  ///< an ideal one by default
 };
 
 struct SequenceSummary {
