@@ -88,7 +88,6 @@ cv::Mat DepthSensor::labels(const Picture& picture) const {
 /// beyond it.
 cv::Point DepthSensor::displaced(const Picture& picture, const cv::Mat& labels,
                                  const NoiseFields& noise, const cv::Point& at) const {
-  if (noise.right.empty()) return at;
   const double sigma = options_.lateral * kinect_lateral_noise(picture.angle.at<float>(at));
   const auto moved = [sigma](int from, float by, int end) {
     return std::clamp(from + static_cast<int>(std::lround(sigma * by)), 0, end - 1);
@@ -133,14 +132,15 @@ cv::Mat DepthSensor::measure(const Picture& picture, std::uint32_t seed) const {
   cv::Mat units = cv::Mat::zeros(picture.depth.size(), CV_16UC1);
   for (int y = 0; y < units.rows; ++y) {
     for (int x = 0; x < units.cols; ++x) {
-      const cv::Point seen = displaced(picture, surfaces, noise, {x, y});
-      double depth = picture.depth.at<double>(seen);
+      const cv::Point at(x, y);
+      const cv::Point seen = noise.right.empty() ? at : displaced(picture, surfaces, noise, at);
+      const double depth = picture.depth.at<double>(seen);
       if (depth <= 0 || surfaces.at<std::int32_t>(seen) < 0 || !returns_light(picture, seen)) {
         continue;
       }
       const double angle = picture.angle.empty() ? 0 : picture.angle.at<float>(seen);
-      depth = disturbed(depth, angle, noise.along.empty() ? 0 : noise.along.at<float>(y, x));
-      units.at<std::uint16_t>(y, x) = to_units(depth);
+      const double along = noise.along.empty() ? 0 : noise.along.at<float>(at);
+      units.at<std::uint16_t>(at) = to_units(disturbed(depth, angle, along));
     }
   }
   return units;

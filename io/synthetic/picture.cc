@@ -10,11 +10,12 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-/// What is visible at each pixel's centre.
-class VisibilityImage {
+/// What is visible at the centres of the pixels of the last three rows that were looked at: a row
+/// and those beside it.
+class VisibleRows {
  public:
-  VisibilityImage(int width, int height)
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width * height)) {}
+  VisibleRows(int width, int height)
+      : width_(width), height_(height), pixels_(static_cast<std::size_t>(kRows * width)) {}
 
   void look(const View& view, int y) {
     for (int x = 0; x < width_; ++x) pixels_[index(x, y)] = view.look(x, y);
@@ -35,9 +36,10 @@ class VisibilityImage {
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y * width_ + x);
+    return static_cast<std::size_t>(y % kRows * width_ + x);
   }
 
+  static constexpr int kRows = 3;
   int width_;
   int height_;
   std::vector<Visible> pixels_;
@@ -104,7 +106,7 @@ Picture empty_picture(const PinholeCamera& camera, const Channels& channels) {
           image(channels.reflectance, CV_32FC1)};
 }
 
-void draw_row(Picture& picture, const View& view, const VisibilityImage& visibility, int y,
+void draw_row(Picture& picture, const View& view, const VisibleRows& visibility, int y,
               const Channels& channels, std::optional<int> rim_ray) {
   const int width = std::max(picture.color.cols, picture.depth.cols);
   for (int x = 0; x < width; ++x) {
@@ -132,7 +134,7 @@ void draw_row(Picture& picture, const View& view, const VisibilityImage& visibil
 Picture draw(const PinholeCamera& camera, const ViewOfRow& view_of_row, const Channels& channels,
              std::optional<int> rim_ray) {
   Picture picture = empty_picture(camera, channels);
-  VisibilityImage visibility(camera.width, camera.height);
+  VisibleRows visibility(camera.width, camera.height);
   const View* view = &view_of_row(0);
   visibility.look(*view, 0);
   for (int y = 0; y < camera.height; ++y) {
