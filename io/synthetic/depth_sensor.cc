@@ -8,6 +8,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "cvo_slam/io/synthetic/box_filter_internal.h"
 #include "cvo_slam/io/synthetic/depth_sensor_internal.h"
 #include "cvo_slam/io/synthetic/noise_field_internal.h"
 
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double kBaseline = 0.075;                      // of a Kinect [m]
 constexpr double kFocalTimesBaseline = 580 * kBaseline;  // of its infrared camera [px m]
+
+/// To the nearest integer, of a number that is not negative.
+double rounded(double x) { return round_down(x + 0.5); }
 
 /// a / (pi/2 - a), which both formulas of the noise share.
 double obliqueness(double angle) {
@@ -90,7 +94,7 @@ cv::Point DepthSensor::displaced(const Picture& picture, const cv::Mat& labels,
                                  const NoiseFields& noise, const cv::Point& at) const {
   const double sigma = options_.lateral * kinect_lateral_noise(picture.angle.at<float>(at));
   const auto moved = [sigma](int from, float by, int end) {
-    return std::clamp(from + static_cast<int>(std::lround(sigma * by)), 0, end - 1);
+    return static_cast<int>(std::clamp(round_down(from + sigma * by + 0.5), 0.0, end - 1.0));
   };
   const cv::Point other(moved(at.x, noise.right.at<float>(at), labels.cols),
                         moved(at.y, noise.down.at<float>(at), labels.rows));
@@ -115,15 +119,15 @@ double DepthSensor::disturbed(double depth, double angle, double noise) const {
     depth += noise * std::sqrt(std::max(0.0, sigma * sigma - step * step / 12));
   }
   if (options_.disparity_step == 0) return depth;
-  const double steps = std::round(kFocalTimesBaseline / depth / options_.disparity_step);
+  const double steps = rounded(kFocalTimesBaseline / depth / options_.disparity_step);
   return steps > 0 ? kFocalTimesBaseline / (steps * options_.disparity_step) : 0;
 }
 
 /// What is beyond the range of the sensor or of 16 bits is left without depth.
 std::uint16_t DepthSensor::to_units(double depth) const {
   if (depth < options_.min_range || depth > options_.max_range) return 0;
-  const double rounded = std::round(depth * camera_.depth_scale);
-  return rounded <= 65535 ? static_cast<std::uint16_t>(rounded) : std::uint16_t{0};
+  const double units = rounded(depth * camera_.depth_scale);
+  return units <= 65535 ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
 }
 
 cv::Mat DepthSensor::measure(const Picture& picture, std::uint32_t seed) const {

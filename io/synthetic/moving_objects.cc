@@ -18,9 +18,9 @@ using CameraMotion = std::function<SE3(double)>;
 
 std::vector<Vector3> camera_positions(const CameraMotion& T_world_camera, double duration) {
   constexpr double kStep = 0.05;  // [s]; a hand moves by some centimetres
-  std::vector<Vector3> positions;
-  for (double t = 0; t <= duration; t += kStep) {
-    positions.push_back(T_world_camera(t).translation());
+  std::vector<Vector3> positions(static_cast<std::size_t>(duration / kStep) + 1);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    positions[i] = T_world_camera(static_cast<double>(i) * kStep).translation();
   }
   return positions;
 }

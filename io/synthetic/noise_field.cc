@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -12,15 +13,16 @@ namespace {
 std::vector<float> smoothing_weights(double sigma) {
   const int radius = static_cast<int>(std::ceil(2.5 * sigma));
   std::vector<double> weights;
+  weights.reserve(static_cast<std::size_t>(2 * radius) + 1);
   double squares = 0;
   for (int i = -radius; i <= radius; ++i) {
     weights.push_back(sigma > 0 ? std::exp(-0.5 * i * i / (sigma * sigma)) : 1);
     squares += weights.back() * weights.back();
   }
-  std::vector<float> normalized;
-  for (const double weight : weights) {
-    normalized.push_back(static_cast<float>(weight / std::sqrt(squares)));
-  }
+  std::vector<float> normalized(weights.size());
+  std::transform(weights.begin(), weights.end(), normalized.begin(), [squares](double weight) {
+    return static_cast<float>(weight / std::sqrt(squares));
+  });
   return normalized;
 }
 

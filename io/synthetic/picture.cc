@@ -36,7 +36,8 @@ class VisibleRows {
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y % kRows * width_ + x);
+    return static_cast<std::size_t>(y % kRows) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
   }
 
   static constexpr int kRows = 3;
@@ -54,8 +55,10 @@ struct Sample {
 Sample rim_sample(const View& view, int x, int y, int ray) {
   constexpr int kSide = 3;
   static_assert(kSide * kSide == kRimRays);
-  const double u = x + (ray % kSide + 0.5) / kSide - 0.5;
-  const double v = y + (ray / kSide + 0.5) / kSide - 0.5;
+  const int column = ray % kSide;
+  const int row = ray / kSide;
+  const double u = x + (column + 0.5) / kSide - 0.5;
+  const double v = y + (row + 0.5) / kSide - 0.5;
   return {view.look(u, v), u, v};
 }
 
@@ -67,9 +70,9 @@ Color supersample(const View& view, int x, int y) {
     samples[static_cast<std::size_t>(i)] = rim_sample(view, x, y, i);
   }
   Color sum = Color::Zero();
-  for (auto begin = samples.begin(); begin != samples.end();) {
+  for (Sample* begin = samples.data(); begin != samples.data() + kRimRays;) {
     const Visible first = begin->visible;
-    const auto end = std::partition(begin, samples.end(), [&](const Sample& sample) {
+    Sample* end = std::partition(begin, samples.data() + kRimRays, [&](const Sample& sample) {
       return sample.visible.same_surface(first);
     });
     const Sample& middle = *(begin + (end - begin) / 2);

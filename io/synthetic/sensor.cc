@@ -119,8 +119,10 @@ double Sensor::image_motion(double seconds) const {
   const View view(middle, camera, T_world_camera);
   double largest = 0;
   for (int i = 0; i < kGrid * kGrid; ++i) {
-    const Eigen::Vector2d pixel(camera.width * (i % kGrid + 0.5) / kGrid,
-                                camera.height * (i / kGrid + 0.5) / kGrid);
+    const int column = i % kGrid;
+    const int row = i / kGrid;
+    const Eigen::Vector2d pixel(camera.width * (column + 0.5) / kGrid,
+                                camera.height * (row + 0.5) / kGrid);
     const Visible visible = view.look(pixel.x(), pixel.y());
     if (visible.primitive == Visible::kNothing) continue;
     const auto index = static_cast<std::size_t>(visible.primitive);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cvo_slam/io/synthetic/box_filter_internal.h"
 #include "cvo_slam/io/synthetic/view_internal.h"
 
 namespace cvo_slam::synthetic {
@@ -35,6 +36,7 @@ View::View(const Scene& scene, const PinholeCamera& camera, const SE3& T_world_c
       tiles_(static_cast<std::size_t>(tile_columns_) *
              static_cast<std::size_t>(tiles_along(rows.last - rows.first + 1))) {
   const SE3 T_camera_world = T_world_camera.inverse();
+  std::vector<Bounds> visible;
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     const Primitive& primitive = scene.primitives[i];
     if (!may_be_visible(T_camera_world * primitive.T_world_shape.translation(),
@@ -43,12 +45,11 @@ View::View(const Scene& scene, const PinholeCamera& camera, const SE3& T_world_c
     }
     const SE3 T_shape_camera = primitive.T_world_shape.inverse() * T_world_camera;
     placed_[i] = {T_shape_camera.rotation(), T_shape_camera.translation()};
-    add_to_tiles(i);
+    visible.push_back(image_bounds(i));
   }
-  for (auto& tile : tiles_) {
-    std::stable_sort(tile.begin(), tile.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.nearest < b.nearest; });
-  }
+  std::stable_sort(visible.begin(), visible.end(),
+                   [](const Bounds& a, const Bounds& b) { return a.nearest < b.nearest; });
+  for (const auto& bounds : visible) add_to_tiles(bounds);
 }
 
 /// False only where a sphere is certainly outside the pyramid of the view.
@@ -64,15 +65,16 @@ bool View::may_be_visible(const Vector3& center, double radius) const {
          inside(camera_.fy, rows_.last + 1.5 - camera_.cy, -center.y(), center.z());
 }
 
-void View::add_to_tiles(std::size_t index) {
-  const Bounds bounds = image_bounds(index);
+void View::add_to_tiles(const Bounds& bounds) {
   if (bounds.right < bounds.left) return;
   const int first_row = (bounds.top - rows_.first) / kTile;
   const int last_row = (bounds.bottom - rows_.first) / kTile;
   for (int row = first_row; row <= last_row; ++row) {
     for (int column = bounds.left / kTile; column <= bounds.right / kTile; ++column) {
-      tiles_[static_cast<std::size_t>(row * tile_columns_ + column)].push_back(
-          {static_cast<std::uint32_t>(index), bounds.nearest});
+      auto& tile = tiles_[tile_index(row, column)];
+      constexpr std::size_t kUsual = 8;  // primitives in a tile; saves most reallocations
+      if (tile.empty()) tile.reserve(kUsual);
+      tile.push_back({bounds.primitive, bounds.nearest});
     }
   }
 }
@@ -114,15 +116,21 @@ View::Bounds View::image_bounds(std::size_t index) const {
   low = (low - 1).floor().max(first).min(last);
   high = (high + 1).ceil().max(first).min(last);
   // Less by far more than rounding: a bound that is too low only costs time.
-  return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x()),
-          static_cast<int>(high.y()), nearest - 1e-6};
+  return {static_cast<std::uint32_t>(index), static_cast<int>(low.x()),  static_cast<int>(low.y()),
+          static_cast<int>(high.x()),        static_cast<int>(high.y()), nearest - 1e-6};
 }
 
 std::size_t View::tile_of(double x, double y) const {
-  const int column = std::clamp(static_cast<int>(x + 0.5), 0, camera_.width - 1) / kTile;
-  const int row =
-      (std::clamp(static_cast<int>(y + 0.5), rows_.first, rows_.last) - rows_.first) / kTile;
-  return static_cast<std::size_t>(row * tile_columns_ + column);
+  const auto tile_along = [](double position, int first, int last) {
+    const int pixel = static_cast<int>(round_down(position + 0.5));
+    return (std::clamp(pixel, first, last) - first) / kTile;
+  };
+  return tile_index(tile_along(y, rows_.first, rows_.last), tile_along(x, 0, camera_.width - 1));
+}
+
+std::size_t View::tile_index(int row, int column) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(tile_columns_) +
+         static_cast<std::size_t>(column);
 }
 
 Vector3 View::direction(double x, double y) const {

@@ -55,6 +55,7 @@ class View {
   /// The part of the image where a primitive may be visible (pixels, inclusive), and a lower bound
   /// of its depth there.
   struct Bounds {
+    std::uint32_t primitive = 0;
     int left = 0, top = 0, right = -1, bottom = -1;
     double nearest = 0;  ///< [m]
   };
@@ -70,9 +71,10 @@ class View {
   };
 
   [[nodiscard]] bool may_be_visible(const Vector3& center, double radius) const;
-  void add_to_tiles(std::size_t index);
+  void add_to_tiles(const Bounds& bounds);
   [[nodiscard]] Bounds image_bounds(std::size_t index) const;
   [[nodiscard]] std::size_t tile_of(double x, double y) const;
+  [[nodiscard]] std::size_t tile_index(int row, int column) const;
   [[nodiscard]] Vector3 direction(double x, double y) const;
   [[nodiscard]] Ray ray_in(std::size_t index, const Vector3& direction) const;
   [[nodiscard]] Point point_at(const Visible& visible, double x, double y) const;
