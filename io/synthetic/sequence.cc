@@ -81,8 +81,8 @@ std::string settings_text(SensorOptions sensor) {
   std::string text;
   for (const auto& option : describe(sensor).options()) {
     const std::string value = option.get();
-    if (value != ideal.get(option.key))
-      text += fmt::format(" --set sensor.{}={}", option.key, value);
+    if (value == ideal.get(option.key)) continue;
+    text += fmt::format(" --set sensor.{}={}", option.key, value);
   }
   return text;
 }
@@ -140,8 +140,9 @@ class Recorder {
   }
 
   [[nodiscard]] SequenceSummary summary() const {
-    std::vector<Timestamp> stamps;
-    for (const auto& frame : frames_) stamps.push_back(frame.color);
+    std::vector<Timestamp> stamps(frames_.size());
+    std::transform(frames_.begin(), frames_.end(), stamps.begin(),
+                   [](const FrameTimes& frame) { return frame.color; });
     return {frames_.size(), seconds_between(stamps.front(), stamps.back()),
             path_length(poses(stamps))};
   }
@@ -160,6 +161,7 @@ class Recorder {
 
   [[nodiscard]] std::vector<StampedPose> poses(const std::vector<Timestamp>& stamps) const {
     std::vector<StampedPose> result;
+    result.reserve(stamps.size());
     for (const auto& stamp : stamps) {
       result.push_back({stamp, path_.T_world_camera(world_seconds(stamp))});
     }
@@ -199,7 +201,7 @@ SequenceSummary write_sequence(const std::filesystem::path& folder, const Sequen
   // Frames are independent; batches only serve to report progress from this thread.
   const Executor executor(threads);
   const std::size_t total = recorder.frames();
-  const auto batch = static_cast<std::size_t>(4 * executor.threads());
+  const auto batch = 4 * static_cast<std::size_t>(executor.threads());
   for (std::size_t first = 0; first < total; first += batch) {
     const std::size_t count = std::min(batch, total - first);
     executor.for_each_chunk(count, 1, [&](std::size_t i, std::size_t, std::size_t) {
