@@ -104,7 +104,9 @@ void add_synth_command(CLI::App& app, Action& action) {
       "--frames", arguments->frames,
       "Only the first n frames at the same speed (default: one closed round, 301 frames)");
   command
-      ->add_option("--seed", arguments->sequence.seed, "Of textures, clutter and the hand's tremor")
+      ->add_option(
+          "--seed", arguments->sequence.seed,
+          "Of textures, clutter, the hand's tremor and, with sensor.seed, the sensor's noise")
       ->capture_default_str();
   const std::string presets = fmt::format("{}", fmt::join(synthetic::sensor_preset_names(), ", "));
   command->add_option("--noise", arguments->noise, "The sensor to start from: " + presets)

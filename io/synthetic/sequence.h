@@ -19,7 +19,7 @@ enum class ImageFormat { kPng, kJpeg };
 /// What to record of a world.
 struct SequenceOptions {
   std::string scene = "room";         ///< one of world_names()
-  std::uint32_t seed = 1;             ///< of textures, clutter and tremor
+  std::uint32_t seed = 1;             ///< of textures, clutter, tremor, and of the sensor
   std::optional<std::size_t> frames;  ///< the first so many at 30 Hz; empty = one closed round
   int width = 640;                    ///< [px] in [16, 4096]
   int height = 480;                   ///< [px] in [16, 4096]

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "cvo_slam/io/synthetic/box_filter_internal.h"
 #include "cvo_slam/io/synthetic/view_internal.h"
 
 namespace cvo_slam::synthetic {
@@ -122,8 +121,8 @@ View::Bounds View::image_bounds(std::size_t index) const {
 
 std::size_t View::tile_of(double x, double y) const {
   const auto tile_along = [](double position, int first, int last) {
-    const int pixel = static_cast<int>(round_down(position + 0.5));
-    return (std::clamp(pixel, first, last) - first) / kTile;
+    const double shifted = position + 0.5;  // not below 0: cutting it off rounds the position
+    return (std::clamp(static_cast<int>(shifted), first, last) - first) / kTile;
   };
   return tile_index(tile_along(y, rows_.first, rows_.last), tile_along(x, 0, camera_.width - 1));
 }
