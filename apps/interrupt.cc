@@ -21,6 +21,6 @@ InterruptGuard::InterruptGuard() {
 
 InterruptGuard::~InterruptGuard() { std::signal(SIGINT, previous_); }
 
-bool InterruptGuard::requested() const { return interrupt_requested != 0; }
+bool InterruptGuard::requested() { return interrupt_requested != 0; }
 
 }  // namespace cvo_slam

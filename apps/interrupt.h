@@ -13,7 +13,7 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  [[nodiscard]] bool requested() const;
+  [[nodiscard]] static bool requested();
 
  private:
   void (*previous_)(int);

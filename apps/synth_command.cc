@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/command.h"
 #include "cvo_slam/apps/progress.h"
+#include "cvo_slam/apps/settings.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/synthetic/sequence.h"
 #include "cvo_slam/io/synthetic/world.h"
 
@@ -26,6 +30,9 @@ struct SynthArguments {
   std::string image = "png";
   long frames = 0;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::filesystem::path config;
+  std::vector<std::string> settings;  // "key=value" each
+  bool dump_config = false;
   synthetic::SequenceOptions sequence;
 };
 
@@ -37,7 +44,30 @@ void parse_size(const std::string& text, synthetic::SequenceOptions& options) {
   }
 }
 
+OptionSet describe_sensor(synthetic::SensorOptions& sensor) {
+  return OptionSet().add("sensor", describe(sensor));
+}
+
+/// The preset, then the configuration file, then each --set: the last one wins.
+synthetic::SensorOptions sensor_options(const SynthArguments& arguments) {
+  auto sensor = synthetic::sensor_preset(arguments.noise);
+  const OptionSet set = describe_sensor(sensor);
+  if (!arguments.config.empty()) read_options(arguments.config, set);
+  for (const auto& setting : arguments.settings) {
+    apply_setting(set, setting, "sensor.depth.axial=0.5");
+  }
+  return sensor;
+}
+
 int synth(SynthArguments arguments, bool frames_given) {
+  arguments.sequence.sensor = sensor_options(arguments);
+  if (arguments.dump_config) {
+    fmt::print("{}", options_to_yaml(describe_sensor(arguments.sequence.sensor), true));
+    return kDone;
+  }
+  if (arguments.folder.empty()) {
+    throw OptionError("no output folder given: name the scene and the folder to write to");
+  }
   parse_size(arguments.size, arguments.sequence);
   if (arguments.image == "jpeg") arguments.sequence.image = synthetic::ImageFormat::kJpeg;
   if (frames_given) {
@@ -68,18 +98,27 @@ void add_synth_command(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("synth", "Make a synthetic sequence (TUM layout) with exact ground truth");
   const std::string scenes = fmt::format("{}", fmt::join(synthetic::world_names(), ", "));
-  command->add_option("scene", arguments->sequence.scene, "The world to record: " + scenes)
-      ->required();
-  command->add_option("folder", arguments->folder, "Where to write the sequence")->required();
+  command->add_option("scene", arguments->sequence.scene, "The world to record: " + scenes);
+  command->add_option("folder", arguments->folder, "Where to write the sequence");
   const auto* frames = command->add_option(
       "--frames", arguments->frames,
       "Only the first n frames at the same speed (default: one closed round, 301 frames)");
   command
-      ->add_option("--seed", arguments->sequence.seed, "Of textures, clutter and the hand's tremor")
+      ->add_option(
+          "--seed", arguments->sequence.seed,
+          "Of textures, clutter, the hand's tremor and, with sensor.seed, the sensor's noise")
       ->capture_default_str();
-  command->add_option("--noise", arguments->noise, "Sensor noise")
-      ->check(CLI::IsMember({"none"}))
+  const std::string presets = fmt::format("{}", fmt::join(synthetic::sensor_preset_names(), ", "));
+  command->add_option("--noise", arguments->noise, "The sensor to start from: " + presets)
       ->capture_default_str();
+  command->add_option("--config", arguments->config,
+                      "YAML file of the sensor's options; see --dump-config");
+  command
+      ->add_option("--set", arguments->settings,
+                   "An option of the sensor, as key=value; may be repeated")
+      ->allow_extra_args(false);
+  command->add_flag("--dump-config", arguments->dump_config,
+                    "Print the sensor's options as YAML with their documentation, and end");
   command->add_option("--size", arguments->size, "Image size, <width>x<height> [px]")
       ->capture_default_str();
   command->add_option("--image", arguments->image, "Colour images: png (exact) or jpeg (smaller)")

@@ -8,20 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/apps/settings.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/options_file.h"
 
 namespace cvo_slam {
 namespace {
-
-void apply_setting(const OptionSet& options, const std::string& setting) {
-  const std::size_t equals = setting.find('=');
-  if (equals == std::string::npos) {
-    throw OptionError(fmt::format("--set {} must be key=value, e.g. tracker.points=2000", setting));
-  }
-  options.set(setting.substr(0, equals), setting.substr(equals + 1));
-}
 
 /// One end of a range; `otherwise` where the text is empty.
 std::optional<std::size_t> parse_end(std::string_view text, std::size_t otherwise) {
@@ -62,7 +55,7 @@ ProgramOptions TrackingArguments::options() const {
   if (preset == "paper") result.tracker = paper_options();
   const OptionSet set = describe(result);
   if (!config.empty()) read_options(config, set);
-  for (const auto& setting : settings) apply_setting(set, setting);
+  for (const auto& setting : settings) apply_setting(set, setting, "tracker.points=2000");
   if (threads) result.tracker.threads = *threads;
   return result;
 }

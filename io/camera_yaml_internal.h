@@ -17,7 +17,7 @@ Camera parse_camera(const std::string& text, const std::filesystem::path& file);
 /// With the keys of ORB-SLAM2 (Camera.fx, Camera.k1, DepthMapFactor) or ORB-SLAM3 (Camera1.fx,
 /// Camera1.k1, RGBD.DepthMapFactor); all other keys of such a file are ignored.
 bool has_orb_slam_keys(const YAML::Node& root);
-Camera parse_orb_slam_camera(const YAML::Node& root, const std::filesystem::path& file);
+Camera parse_orb_slam_camera(const YAML::Node& root, const std::filesystem::path& path);
 
 /// With our own keys.
 std::string camera_to_yaml(const Camera& camera);

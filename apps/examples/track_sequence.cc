@@ -8,7 +8,7 @@
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/io/tum_trajectory.h"
 
-int main(int, char** argv) {
+int main(int /*argc*/, char** argv) {
   const auto data = cvo_slam::open_dataset(argv[1]);
   cvo_slam::Tracker tracker(data->camera());
   std::vector<cvo_slam::FrameRecord> records;

@@ -58,7 +58,7 @@ std::string_view name_of(TextAnchor anchor) {
 class SvgCanvas : public Canvas {
  public:
   void polyline(const std::vector<CanvasPoint>& points, Color color, double width) override {
-    body_ += "<polyline fill=\"none\" points=\"";
+    body_ += R"(<polyline fill="none" points=")";
     for (const auto& point : points) {
       body_ += fmt::format("{}{},{}", &point == points.data() ? "" : " ", rounded(point.x),
                            rounded(point.y));

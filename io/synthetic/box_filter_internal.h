@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace cvo_slam::synthetic {
@@ -18,10 +17,17 @@ inline double fade(double feature, double footprint) {
   return s * s * (3 - 2 * s);
 }
 
+/// std::floor of a number in the range of std::int64_t, but inlined: without SSE4.1, which is not
+/// to be relied on, that is a call of a library function.
+inline double round_down(double x) {
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
+  return whole > x ? whole - 1 : whole;
+}
+
 /// The share of a box of width `width` around x in which frac(x) < duty.
 inline double filtered_pulse(double x, double duty, double width) {
   const auto integral = [duty](double at) {
-    const double whole = std::floor(at);
+    const double whole = round_down(at);
     return whole * duty + std::min(at - whole, duty);
   };
   return (integral(x + 0.5 * width) - integral(x - 0.5 * width)) / width;
@@ -31,7 +37,7 @@ inline double filtered_pulse(double x, double duty, double width) {
 struct CellSpan {
   CellSpan(double x, double width) {
     const double span = std::clamp(width, 1e-9, 1.0);
-    const double low = std::floor(x - 0.5 * span);
+    const double low = round_down(x - 0.5 * span);
     first = static_cast<std::int32_t>(low);
     second_weight = std::clamp((x + 0.5 * span - low - 1) / span, 0.0, 1.0);
   }

@@ -14,29 +14,17 @@
 #include "cvo_slam/core/parallel.h"
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/io/camera_file.h"
+#include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/synthetic/output_folder_internal.h"
-#include "cvo_slam/io/synthetic/renderer.h"
+#include "cvo_slam/io/synthetic/schedule_internal.h"
+#include "cvo_slam/io/synthetic/sensor.h"
 #include "cvo_slam/io/synthetic/world.h"
 #include "cvo_slam/io/tum_trajectory.h"
 
 namespace cvo_slam::synthetic {
 namespace {
 
-constexpr std::int64_t kFrameRate = 30;  // [Hz]
-// Not zero, so that all stamps have as many digits and file names sort in the order of time.
-constexpr std::int64_t kFirstSecond = 1000;
-
-/// Whole microseconds, which is what the file names carry: the pose is that of this very instant.
-std::int64_t microseconds(std::size_t frame) {
-  constexpr std::int64_t kMicroseconds = 1000000;
-  return (static_cast<std::int64_t>(frame) * kMicroseconds + kFrameRate / 2) / kFrameRate;
-}
-
-StampedPose pose_of(const CameraPath& path, std::size_t frame) {
-  const std::int64_t elapsed = microseconds(frame);
-  const Timestamp stamp((kFirstSecond * 1000000 + elapsed) * 1000);
-  return {stamp, path.T_world_camera(static_cast<double>(elapsed) * 1e-6)};
-}
+constexpr double kFrameRate = 30;  // [Hz]
 
 std::size_t frames_of_a_round(const CameraPath& path) {
   return static_cast<std::size_t>(std::lround(path.duration() * kFrameRate)) + 1;
@@ -54,6 +42,7 @@ void check(const SequenceOptions& options) {
                                     options.width, options.height, kSmallest, kLargest));
     }
   }
+  check(options.sensor);
 }
 
 std::string image_name(const char* folder, const Timestamp& stamp, const char* extension) {
@@ -74,76 +63,117 @@ void write_image(const std::filesystem::path& file, const cv::Mat& image) {
   write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// Metres to 16-bit units; what is beyond their range is left without depth.
-cv::Mat quantized_depth(const cv::Mat& metres, double scale) {
-  cv::Mat units(metres.size(), CV_16UC1);
-  std::transform(metres.begin<double>(), metres.end<double>(), units.begin<std::uint16_t>(),
-                 [scale](double depth) {
-                   const double rounded = std::round(depth * scale);
-                   return rounded <= 65535 ? static_cast<std::uint16_t>(rounded) : std::uint16_t{0};
-                 });
-  return units;
+std::string image_list(const char* title, const char* folder, const char* extension,
+                       const std::vector<Timestamp>& stamps) {
+  std::string text = fmt::format("# {}\n# stamp [s] file\n", title);
+  for (const auto& stamp : stamps) {
+    text += fmt::format("{} {}\n", stamp.to_string(), image_name(folder, stamp, extension));
+  }
+  return text;
 }
 
-std::string image_list(const char* title, const char* folder, const char* extension,
-                       const std::vector<StampedPose>& poses) {
-  std::string text = fmt::format("# {}\n# stamp [s] file\n", title);
-  for (const auto& pose : poses) {
-    text +=
-        fmt::format("{} {}\n", pose.stamp.to_string(), image_name(folder, pose.stamp, extension));
+const char* format_name(ImageFormat format) { return format == ImageFormat::kPng ? "png" : "jpeg"; }
+
+/// The options that differ from their defaults, as the command line takes them.
+std::string settings_text(SensorOptions sensor) {
+  SensorOptions defaults;
+  const OptionSet ideal = describe(defaults);
+  std::string text;
+  for (const auto& option : describe(sensor).options()) {
+    const std::string value = option.get();
+    if (value == ideal.get(option.key)) continue;
+    text += fmt::format(" --set sensor.{}={}", option.key, value);
   }
   return text;
 }
 
 std::string marker_text(const SequenceOptions& options, std::size_t frames) {
+  const char* image = format_name(options.image);
+  SensorOptions sensor = options.sensor;
   return fmt::format(
-      "# Made by cvo_slam synth, which may replace this sequence when asked to write here again.\n"
-      "scene: {}\nseed: {}\nframes: {}\nwidth: {}\nheight: {}\nnoise: none\n",
-      options.scene, options.seed, frames, options.width, options.height);
+             "# Made by cvo_slam synth, which may replace this sequence when asked to write here "
+             "again.\n# To make it again: cvo_slam synth {} <folder> --seed {} --frames {} --size "
+             "{}x{} --image {}{}\n",
+             options.scene, options.seed, frames, options.width, options.height, image,
+             settings_text(sensor)) +
+         fmt::format("scene: {}\nseed: {}\nframes: {}\nwidth: {}\nheight: {}\nimage: {}\n",
+                     options.scene, options.seed, frames, options.width, options.height, image) +
+         options_to_yaml(OptionSet().add("sensor", describe(sensor)));
 }
 
 /// One sequence in the making.
 class Recorder {
  public:
   Recorder(const std::filesystem::path& folder, const SequenceOptions& options)
-      : folder_(folder),
-        options_(options),
-        world_(make_world(options.scene, options.seed)),
-        camera_(synthetic_camera(options.width, options.height)) {
-    const std::size_t frames = options.frames.value_or(frames_of_a_round(world_.path));
-    for (std::size_t i = 0; i < frames; ++i) poses_.push_back(pose_of(world_.path, i));
-  }
+      : Recorder(folder, options, make_world(options.scene, options.seed)) {}
 
-  [[nodiscard]] const std::vector<StampedPose>& poses() const { return poses_; }
+  [[nodiscard]] std::size_t frames() const { return frames_.size(); }
 
   void write_frame(std::size_t index) const {
-    const StampedPose& pose = poses_[index];
-    const Rendering rendering = render(world_.scene, camera_.color, pose.T_world_camera);
-    cv::Mat color;
-    rendering.color.convertTo(color, CV_8UC3);
-    write_image(folder_ / image_name("rgb", pose.stamp, extension(options_.image)), color);
-    write_image(folder_ / image_name("depth", pose.stamp, ".png"),
-                quantized_depth(rendering.depth, camera_.depth_scale));
+    const FrameTimes& frame = frames_[index];
+    const Capture capture = sensor_.capture(index, frame.exposure());
+    if (frame.has_color) {
+      write_image(folder_ / image_name("rgb", frame.color, extension(options_.image)),
+                  capture.color);
+    }
+    if (frame.has_depth) {
+      write_image(folder_ / image_name("depth", frame.depth, ".png"), capture.depth);
+    }
   }
 
   void write_marker() const {
-    write_file(folder_ / kMarkerFile, marker_text(options_, poses_.size()));
+    write_file(folder_ / kMarkerFile, marker_text(options_, frames_.size()));
   }
 
   void write_lists() const {
     write_camera(folder_ / "camera.yaml", camera_);
-    write_tum(folder_ / "groundtruth.txt", {poses_, {}});
-    write_file(folder_ / "depth.txt", image_list("depth images", "depth", ".png", poses_));
+    write_tum(folder_ / "groundtruth.txt", {poses(reference_stamps(frames_)), {}});
+    std::vector<Timestamp> color;
+    std::vector<Timestamp> depth;
+    for (const auto& frame : frames_) {
+      if (frame.has_color) color.push_back(frame.color);
+      if (frame.has_depth) depth.push_back(frame.depth);
+    }
+    write_file(folder_ / "depth.txt", image_list("depth images", "depth", ".png", depth));
     write_file(folder_ / "rgb.txt",
-               image_list("colour images", "rgb", extension(options_.image), poses_));
+               image_list("colour images", "rgb", extension(options_.image), color));
+  }
+
+  [[nodiscard]] SequenceSummary summary() const {
+    std::vector<Timestamp> stamps(frames_.size());
+    std::transform(frames_.begin(), frames_.end(), stamps.begin(),
+                   [](const FrameTimes& frame) { return frame.color; });
+    return {frames_.size(), seconds_between(stamps.front(), stamps.back()),
+            path_length(poses(stamps))};
   }
 
  private:
+  Recorder(const std::filesystem::path& folder, const SequenceOptions& options, const World& world)
+      : folder_(folder),
+        options_(options),
+        path_(world.path),
+        camera_(synthetic_camera(options.width, options.height)),
+        frames_(schedule(options.frames.value_or(frames_of_a_round(path_)), options.sensor,
+                         options.seed)),
+        sensor_(
+            world.scene, [path = path_](double seconds) { return path.T_world_camera(seconds); },
+            world_seconds(frames_.back().color), camera_, options.sensor, options.seed) {}
+
+  [[nodiscard]] std::vector<StampedPose> poses(const std::vector<Timestamp>& stamps) const {
+    std::vector<StampedPose> result;
+    result.reserve(stamps.size());
+    for (const auto& stamp : stamps) {
+      result.push_back({stamp, path_.T_world_camera(world_seconds(stamp))});
+    }
+    return result;
+  }
+
   std::filesystem::path folder_;
   SequenceOptions options_;
-  World world_;
+  CameraPath path_;
   Camera camera_;
-  std::vector<StampedPose> poses_;
+  std::vector<FrameTimes> frames_;
+  Sensor sensor_;
 };
 
 }  // namespace
@@ -170,8 +200,8 @@ SequenceSummary write_sequence(const std::filesystem::path& folder, const Sequen
 
   // Frames are independent; batches only serve to report progress from this thread.
   const Executor executor(threads);
-  const std::size_t total = recorder.poses().size();
-  const auto batch = static_cast<std::size_t>(4 * executor.threads());
+  const std::size_t total = recorder.frames();
+  const auto batch = 4 * static_cast<std::size_t>(executor.threads());
   for (std::size_t first = 0; first < total; first += batch) {
     const std::size_t count = std::min(batch, total - first);
     executor.for_each_chunk(count, 1, [&](std::size_t i, std::size_t, std::size_t) {
@@ -180,8 +210,7 @@ SequenceSummary write_sequence(const std::filesystem::path& folder, const Sequen
     if (progress) progress(first + count, total);
   }
   recorder.write_lists();
-  return {total, seconds_between(recorder.poses().front().stamp, recorder.poses().back().stamp),
-          path_length(recorder.poses())};
+  return recorder.summary();
 }
 
 }  // namespace cvo_slam::synthetic

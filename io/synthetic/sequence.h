@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/io/synthetic/sensor_options.h"
 
 namespace cvo_slam::synthetic {
 
@@ -18,17 +19,18 @@ enum class ImageFormat { kPng, kJpeg };
 /// What to record of a world.
 struct SequenceOptions {
   std::string scene = "room";         ///< one of world_names()
-  std::uint32_t seed = 1;             ///< of textures, clutter and tremor
+  std::uint32_t seed = 1;             ///< of textures, clutter, tremor, and of the sensor
   std::optional<std::size_t> frames;  ///< the first so many at 30 Hz; empty = one closed round
   int width = 640;                    ///< [px] in [16, 4096]
   int height = 480;                   ///< [px] in [16, 4096]
   /// Of the colour images. PNG by default: without loss, so that colour is as exact as the poses;
   /// JPEG (quality 95) takes about a third of the space.
   ImageFormat image = ImageFormat::kPng;
+  SensorOptions sensor = {};  ///< an ideal one by default
 };
 
 struct SequenceSummary {
-  std::size_t frames = 0;
+  std::size_t frames = 0;  ///< with those whose images were dropped
   double seconds = 0;      ///< from the first to the last stamp
   double path_length = 0;  ///< of the camera [m]
 };
@@ -41,10 +43,11 @@ using Progress = std::function<void(std::size_t done, std::size_t total)>;
 [[nodiscard]] Camera synthetic_camera(int width, int height);
 
 /// Records a sequence in the layout of the TUM RGB-D benchmark: rgb/, depth/, rgb.txt, depth.txt,
-/// groundtruth.txt (the exact poses at the frames' stamps), camera.yaml and synthetic.yaml, which
-/// says how it was made and marks the folder as one that a later call may replace. Frames are made
-/// on `threads` threads; the files do not depend on their number. The lists are written last, so
-/// that a recording that was cut short cannot be taken for a whole one.
+/// groundtruth.txt (the exact poses at the colour images' stamps and 100 times a second),
+/// camera.yaml and synthetic.yaml, which says how to make it again and marks the folder as one that
+/// a later call may replace. Frames are made on `threads` threads; the files do not depend on their
+/// number. The lists are written last, so that a recording that was cut short cannot be taken for a
+/// whole one.
 /// Throws OptionError for a bad option, and OutputError where the folder holds anything but a
 /// synthetic sequence or cannot be written.
 SequenceSummary write_sequence(const std::filesystem::path& folder, const SequenceOptions& options,

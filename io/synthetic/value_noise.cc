@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-
 #include "cvo_slam/io/synthetic/box_filter_internal.h"
 #include "cvo_slam/io/synthetic/random_internal.h"
 #include "cvo_slam/io/synthetic/value_noise_internal.h"
@@ -13,8 +11,8 @@ double smooth(double s) { return s * s * s * (s * (6 * s - 15) + 10); }
 
 /// One octave with unit lattice spacing, in [-1, 1].
 double octave(std::uint32_t seed, double u, double v) {
-  const double column = std::floor(u);
-  const double row = std::floor(v);
+  const double column = round_down(u);
+  const double row = round_down(v);
   const double a = smooth(u - column);
   const double b = smooth(v - row);
   const std::uint32_t at =
@@ -31,14 +29,19 @@ double value_noise(std::uint32_t seed, double u, double v, double footprint,
   double sum = 0;
   double total = 0;
   double amplitude = 1;
-  double spacing = octaves.largest;
+  // In lattice spacings of the octave at hand: halving the spacing doubles them, which is exact.
+  double column = u / octaves.largest;
+  double row = v / octaves.largest;
+  double spacing_in_pixels = octaves.largest / footprint;
   for (int k = 0; k < octaves.count; ++k) {
-    const double weight = fade(spacing, footprint);
+    const double weight = fade(spacing_in_pixels, 1);
     const auto octave_seed = seed + static_cast<std::uint32_t>(k) * 0x51ED27U;
-    if (weight > 0) sum += weight * amplitude * octave(octave_seed, u / spacing, v / spacing);
+    if (weight > 0) sum += weight * amplitude * octave(octave_seed, column, row);
     total += amplitude;
     amplitude *= octaves.persistence;
-    spacing *= 0.5;
+    column *= 2;
+    row *= 2;
+    spacing_in_pixels *= 0.5;
   }
   return sum / total;
 }

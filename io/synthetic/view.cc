@@ -22,30 +22,58 @@ double length(double x, double y) { return std::sqrt(x * x + y * y); }
 }  // namespace
 
 View::View(const Scene& scene, const PinholeCamera& camera, const SE3& T_world_camera)
+    : View(scene, camera, T_world_camera, {0, camera.height - 1}) {}
+
+View::View(const Scene& scene, const PinholeCamera& camera, const SE3& T_world_camera,
+           const RowRange& rows)
     : scene_(scene),
       camera_(camera),
       T_world_camera_(T_world_camera),
+      rows_(rows),
+      placed_(scene.primitives.size()),
       tile_columns_(tiles_along(camera.width)),
       tiles_(static_cast<std::size_t>(tile_columns_) *
-             static_cast<std::size_t>(tiles_along(camera.height))) {
-  placed_.reserve(scene.primitives.size());
-  for (const auto& primitive : scene.primitives) {
+             static_cast<std::size_t>(tiles_along(rows.last - rows.first + 1))) {
+  const SE3 T_camera_world = T_world_camera.inverse();
+  std::vector<Bounds> visible;
+  for (std::size_t i = 0; i < placed_.size(); ++i) {
+    const Primitive& primitive = scene.primitives[i];
+    if (!may_be_visible(T_camera_world * primitive.T_world_shape.translation(),
+                        half_extent_of(primitive).norm())) {
+      continue;
+    }
     const SE3 T_shape_camera = primitive.T_world_shape.inverse() * T_world_camera;
-    placed_.push_back({T_shape_camera.rotation(), T_shape_camera.translation()});
-    add_to_tiles(placed_.size() - 1);
+    placed_[i] = {T_shape_camera.rotation(), T_shape_camera.translation()};
+    visible.push_back(image_bounds(i));
   }
-  for (auto& tile : tiles_) {
-    std::stable_sort(tile.begin(), tile.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.nearest < b.nearest; });
-  }
+  std::stable_sort(visible.begin(), visible.end(),
+                   [](const Bounds& a, const Bounds& b) { return a.nearest < b.nearest; });
+  for (const auto& bounds : visible) add_to_tiles(bounds);
 }
 
-void View::add_to_tiles(std::size_t index) {
-  const Bounds bounds = image_bounds(index);
-  for (int row = bounds.top / kTile; row <= bounds.bottom / kTile; ++row) {
+/// False only where a sphere is certainly outside the pyramid of the view.
+bool View::may_be_visible(const Vector3& center, double radius) const {
+  // Distance from the plane through the camera and a line of the image, positive inside. A pixel
+  // more than the half one which positions may be off.
+  const auto inside = [radius](double focal, double offset, double across, double z) {
+    return focal * across + offset * z > -radius * length(focal, offset);
+  };
+  return center.z() > -radius && inside(camera_.fx, camera_.cx + 1.5, center.x(), center.z()) &&
+         inside(camera_.fx, camera_.width + 0.5 - camera_.cx, -center.x(), center.z()) &&
+         inside(camera_.fy, camera_.cy + 1.5 - rows_.first, center.y(), center.z()) &&
+         inside(camera_.fy, rows_.last + 1.5 - camera_.cy, -center.y(), center.z());
+}
+
+void View::add_to_tiles(const Bounds& bounds) {
+  if (bounds.right < bounds.left) return;
+  const int first_row = (bounds.top - rows_.first) / kTile;
+  const int last_row = (bounds.bottom - rows_.first) / kTile;
+  for (int row = first_row; row <= last_row; ++row) {
     for (int column = bounds.left / kTile; column <= bounds.right / kTile; ++column) {
-      tiles_[static_cast<std::size_t>(row * tile_columns_ + column)].push_back(
-          {static_cast<std::uint32_t>(index), bounds.nearest});
+      auto& tile = tiles_[tile_index(row, column)];
+      constexpr std::size_t kUsual = 8;  // primitives in a tile; saves most reallocations
+      if (tile.empty()) tile.reserve(kUsual);
+      tile.push_back({bounds.primitive, bounds.nearest});
     }
   }
 }
@@ -80,20 +108,28 @@ View::Bounds View::image_bounds(std::size_t index) const {
       include(point + (other - point) * ((point.z() - kNear) / (point.z() - other.z())));
     }
   }
-  const Eigen::Array2d last(camera_.width - 1, camera_.height - 1);
+  const Eigen::Array2d first(0, rows_.first);
+  const Eigen::Array2d last(camera_.width - 1, rows_.last);
   // Positions on the image reach half a pixel beyond a pixel's centre.
-  if ((high < -0.5).any() || (low > last + 0.5).any()) return {};
-  low = (low - 1).floor().max(0.0).min(last);
-  high = (high + 1).ceil().max(0.0).min(last);
+  if ((high < first - 0.5).any() || (low > last + 0.5).any()) return {};
+  low = (low - 1).floor().max(first).min(last);
+  high = (high + 1).ceil().max(first).min(last);
   // Less by far more than rounding: a bound that is too low only costs time.
-  return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x()),
-          static_cast<int>(high.y()), nearest - 1e-6};
+  return {static_cast<std::uint32_t>(index), static_cast<int>(low.x()),  static_cast<int>(low.y()),
+          static_cast<int>(high.x()),        static_cast<int>(high.y()), nearest - 1e-6};
 }
 
 std::size_t View::tile_of(double x, double y) const {
-  const int column = std::clamp(static_cast<int>(x + 0.5), 0, camera_.width - 1) / kTile;
-  const int row = std::clamp(static_cast<int>(y + 0.5), 0, camera_.height - 1) / kTile;
-  return static_cast<std::size_t>(row * tile_columns_ + column);
+  const auto tile_along = [](double position, int first, int last) {
+    const double shifted = position + 0.5;  // not below 0: cutting it off rounds the position
+    return (std::clamp(static_cast<int>(shifted), first, last) - first) / kTile;
+  };
+  return tile_index(tile_along(y, rows_.first, rows_.last), tile_along(x, 0, camera_.width - 1));
+}
+
+std::size_t View::tile_index(int row, int column) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(tile_columns_) +
+         static_cast<std::size_t>(column);
 }
 
 Vector3 View::direction(double x, double y) const {
@@ -121,35 +157,55 @@ Visible View::look(double x, double y) const {
   return nearest;
 }
 
+View::Point View::point_at(const Visible& visible, double x, double y) const {
+  const auto index = static_cast<std::size_t>(visible.primitive);
+  const Ray ray = ray_in(index, direction(x, y));
+  const Vector3 position = ray.origin + visible.depth * ray.direction;
+  return {ray, position,
+          std::visit([&](const auto& shape) { return surface_at(shape, visible.face, position); },
+                     scene_.primitives[index].shape)};
+}
+
 Color View::shade(const Visible& visible, double x, double y, double side) const {
   if (visible.primitive == Visible::kNothing) return Color::Zero();
-  const auto index = static_cast<std::size_t>(visible.primitive);
-  const Primitive& primitive = scene_.primitives[index];
-  const Ray ray = ray_in(index, direction(x, y));
-  const Vector3 point = ray.origin + visible.depth * ray.direction;
-  const Surface surface = std::visit(
-      [&](const auto& shape) { return surface_at(shape, visible.face, point); }, primitive.shape);
+  const Point point = point_at(visible, x, y);
+  const Vector3& normal = point.surface.normal;
+  const Vector3 towards_viewer = normal.dot(point.ray.direction) < 0 ? normal : Vector3(-normal);
+  const SE3& T_world_shape =
+      scene_.primitives[static_cast<std::size_t>(visible.primitive)].T_world_shape;
+  return reflectance(visible, point, side) *
+         brightness(T_world_shape * point.position, T_world_shape.rotation() * towards_viewer);
+}
 
+Color View::reflectance(const Visible& visible, double x, double y, double side) const {
+  if (visible.primitive == Visible::kNothing) return Color::Zero();
+  return reflectance(visible, point_at(visible, x, y), side);
+}
+
+double View::cosine_of_incidence(const Visible& visible, double x, double y) const {
+  if (visible.primitive == Visible::kNothing) return 0;
+  const Point point = point_at(visible, x, y);
+  return std::min(
+      1.0, std::abs(point.surface.normal.dot(point.ray.direction)) / point.ray.direction.norm());
+}
+
+Color View::reflectance(const Visible& visible, const Point& point, double side) const {
+  const auto index = static_cast<std::size_t>(visible.primitive);
+  const auto& [ray, position, surface] = point;
   // Moving by a pixel moves the point on the tangent plane: ray differentials, after H. Igehy,
   // "Tracing ray differentials", SIGGRAPH 1999.
   const double slope = surface.normal.dot(ray.direction);
-  const auto moved = [&](const Vector3& step) -> Vector3 {
-    return visible.depth * (step - ray.direction * (surface.normal.dot(step) / slope));
+  const auto moved = [&, &direction = ray.direction,
+                      &normal = surface.normal](const Vector3& step) -> Vector3 {
+    return visible.depth * (step - direction * (normal.dot(step) / slope));
   };
   const Matrix3& R = placed_[index].R_shape_camera;
   const Vector3 across = moved(R.col(0) * (side / camera_.fx));
   const Vector3 along = moved(R.col(1) * (side / camera_.fy));
-  const SurfacePoint lookup{surface.u,
-                            surface.v,
-                            surface.size_u,
-                            surface.size_v,
-                            length(surface.right.dot(across), surface.right.dot(along)),
-                            length(surface.down.dot(across), surface.down.dot(along))};
-
-  const Vector3 towards_viewer = slope < 0 ? surface.normal : Vector3(-surface.normal);
-  return sample(primitive.texture, lookup) *
-         brightness(primitive.T_world_shape * point,
-                    primitive.T_world_shape.rotation() * towards_viewer);
+  return sample(scene_.primitives[index].texture,
+                {surface.u, surface.v, surface.size_u, surface.size_v,
+                 length(surface.right.dot(across), surface.right.dot(along)),
+                 length(surface.down.dot(across), surface.down.dot(along))});
 }
 
 double View::brightness(const Vector3& point, const Vector3& normal) const {

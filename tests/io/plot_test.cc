@@ -168,7 +168,8 @@ TEST(TrajectoryFigure, OfNothingIsEmpty) {
 TEST(TrajectoryFigure, BreaksTheLineWhereFramesAreMissing) {
   auto poses = line(4);
   poses[3].stamp = milliseconds(1000);  // 800 ms after the one before, 100 ms is usual
-  const auto& x = trajectory_figure({}, poses).panels[0].series[0].x;
+  const Figure figure = trajectory_figure({}, poses);
+  const auto& x = figure.panels[0].series[0].x;
   ASSERT_EQ(x.size(), 5U);
   EXPECT_TRUE(std::isnan(x[3]));
 }

@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/io/synthetic/output_folder_internal.h"
@@ -42,6 +43,11 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
         std::string(std::istreambuf_iterator<char>(stream), {});
   }
   return files;
+}
+
+/// The pose that an evaluation takes for an estimate at that stamp.
+SE3 reference_pose(const Dataset& data, const Timestamp& stamp) {
+  return associate(data.reference(), {{stamp, SE3()}}).front().reference;
 }
 
 class Sequence : public ::testing::Test {
@@ -90,13 +96,13 @@ TEST_F(Sequence, OpensInTheReaderWithItsOwnCameraPosesAndDepth) {
   const auto data = open_dataset(folder_);
   ASSERT_EQ(data->size(), 5U);
   EXPECT_EQ(data->camera().color.fx, synthetic_camera(64, 48).color.fx);
-  ASSERT_EQ(data->reference().size(), 5U);
+  // A hundred poses a second in 133 ms, and the five frames, of which two are among them.
+  ASSERT_EQ(data->reference().size(), 14U + 5U - 2U);
   const World world = make_world("room", 1);
   const RgbdFrame frame = data->read(3);
   EXPECT_EQ(frame.problem, "");
   EXPECT_EQ(frame.stamp, frame.depth_stamp);
-  const StampedPose& pose = data->reference()[3];
-  EXPECT_EQ(pose.stamp, frame.stamp);
+  const StampedPose pose{frame.stamp, reference_pose(*data, frame.stamp)};
   // Poses are written with nine decimals.
   const SE3 expected = world.path.T_world_camera(0.1);
   EXPECT_LT((expected.inverse() * pose.T_world_camera).log().norm(), 3e-9);
@@ -119,6 +125,61 @@ TEST_F(Sequence, AWholeRoundEndsWhereItBegan) {
   const auto reference = open_dataset(folder_)->reference();
   const SE3 gap = reference.front().T_world_camera.inverse() * reference.back().T_world_camera;
   EXPECT_LT(gap.log().norm(), 1e-8);
+}
+
+TEST_F(Sequence, ANoisyOneHasTheSameBytesForAnyNumberOfThreads) {
+  for (const std::string noise : {"kinect", "harsh"}) {
+    SequenceOptions options = small(8);
+    options.sensor = sensor_preset(noise);
+    write_sequence(folder_ / "one", options, 1);
+    write_sequence(folder_ / "more", options, 2);
+    EXPECT_EQ(contents(folder_ / "one"), contents(folder_ / "more")) << noise;
+    options.sensor.seed = 1;
+    write_sequence(folder_ / "more", options, 2);
+    const auto one = contents(folder_ / "one");
+    const auto more = contents(folder_ / "more");
+    // Those of the first frame are never dropped.
+    EXPECT_NE(one.at("rgb/1000.000000.png"), more.at("rgb/1000.000000.png")) << noise;
+    EXPECT_NE(one.at("depth.txt"), more.at("depth.txt")) << noise;
+    // The camera's way is that of the world's seed.
+    EXPECT_EQ(one.at("camera.yaml"), more.at("camera.yaml"));
+  }
+}
+
+TEST_F(Sequence, FramesOfANoisyOneArePairedAndHaveTheirExactPoses) {
+  SequenceOptions options = small(20);
+  options.sensor.timing = {.depth_jitter = 0.011, .drop_color = 0.2, .drop_depth = 0.2};
+  write_sequence(folder_, options);
+  const auto data = open_dataset(folder_);
+  EXPECT_GT(data->unpaired().color + data->unpaired().depth, 0U);
+  EXPECT_LT(data->size(), 20U);
+  EXPECT_GT(data->size(), 5U);  // about 0.8 * 0.8 of 20
+  const World world = make_world("room", 1);
+  bool stamps_differ = false;
+  for (std::size_t i = 0; i < data->size(); ++i) {
+    const RgbdFrame frame = data->read(i);
+    EXPECT_EQ(frame.problem, "");
+    stamps_differ = stamps_differ || frame.depth_stamp != frame.stamp;
+    const SE3 expected = world.path.T_world_camera(frame.stamp.seconds() - 1000);
+    EXPECT_LT((expected.inverse() * reference_pose(*data, frame.stamp)).log().norm(), 1e-8);
+  }
+  EXPECT_TRUE(stamps_differ);
+}
+
+TEST_F(Sequence, SaysHowItWasMade) {
+  SequenceOptions options = small(1);
+  options.sensor.depth.axial = 0.5;
+  options.sensor.exposure.time = 0.01;
+  write_sequence(folder_, options);
+  const std::string marker = contents(folder_).at("synthetic.yaml");
+  EXPECT_THAT(marker, HasSubstr("cvo_slam synth room <folder> --seed 1 --frames 1 --size 64x48 "
+                                "--image png --set sensor.depth.axial=0.5 --set "
+                                "sensor.exposure.time=0.01\n"));
+  SensorOptions sensor;
+  for (const auto& option : describe(sensor).options()) {
+    const auto name = option.key.substr(option.key.rfind('.') + 1);
+    EXPECT_THAT(marker, HasSubstr("  " + name + ": ")) << option.key;
+  }
 }
 
 TEST_F(Sequence, JpegIsOffered) {
@@ -164,6 +225,9 @@ TEST_F(Sequence, BadOptionsAreRefusedBeforeAnythingIsWritten) {
   options = small();
   options.width = 3;
   EXPECT_THAT(error_of<OptionError>(folder_, options), HasSubstr("image size 3x48"));
+  options = small();
+  options.sensor.timing.drop_color = 2;
+  EXPECT_THAT(error_of<OptionError>(folder_, options), HasSubstr("sensor.timing.drop_color=2"));
   EXPECT_FALSE(fs::exists(folder_));
 }
 
