@@ -65,7 +65,8 @@ LevelResult gradient_flow(PoseObjective& objective, const SE3& T_fixed_moving_in
     const FlowDirection xi = flow_direction(state.value, options.metric_a2, options.metric_b2);
     // Step limits and the gradient's threshold are stated for a flow without the factor 1/ell^2:
     // its time runs slower by ell^2.
-    if (ell2 * xi.omega.norm() < options.min_gradient && ell2 * xi.v.norm() < options.min_gradient) {
+    if (ell2 * xi.omega.norm() < options.min_gradient &&
+        ell2 * xi.v.norm() < options.min_gradient) {
       state.converged = true;
       break;
     }

@@ -19,8 +19,8 @@ struct FlowDirection {
 
 /// The direction of steepest ascent of F(h exp(t xi)) in the metric with weights a^2, b^2:
 /// omega = 1/(a^2 ell^2) sum w (x x z~),  v = 1/(b^2 ell^2) sum w (z~ - x).
-/// (The paper prints the opposite sign for v, which descends.) With r = x - z~ these are the sums of
-/// the gradient with respect to a left perturbation of T, negated: h is the inverse of T.
+/// (The paper prints the opposite sign for v, which descends.) With r = x - z~ these are the sums
+/// of the gradient with respect to a left perturbation of T, negated: h is the inverse of T.
 [[nodiscard]] FlowDirection flow_direction(const ObjectiveValue& value, double a2, double b2);
 
 /// G(t) = F(h exp(t xi)) - F(h) to fourth order: g[0] t + g[1] t^2 + g[2] t^3 + g[3] t^4; see

@@ -28,7 +28,8 @@ std::vector<std::uint32_t> finite_points_by_x(const PointCloud& cloud) {
   }
   std::sort(keys.begin(), keys.end());
   std::vector<std::uint32_t> indices(keys.size());
-  std::transform(keys.begin(), keys.end(), indices.begin(), [](const auto& key) { return key.second; });
+  std::transform(keys.begin(), keys.end(), indices.begin(),
+                 [](const auto& key) { return key.second; });
   return indices;
 }
 

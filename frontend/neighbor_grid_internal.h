@@ -66,14 +66,14 @@ class NeighborGrid {
 
   PointCloud points_;
   std::vector<std::uint32_t> order_;
-  std::vector<Column> columns_;              // columns_y_ * columns_z_, and one more
+  std::vector<Column> columns_;  // columns_y_ * columns_z_, and one more
   std::vector<std::uint32_t> bins_;
-  std::vector<std::uint32_t> sorted_;        // memory for build()
-  std::vector<std::uint32_t> column_;        // of each point of the cloud; memory for build()
+  std::vector<std::uint32_t> sorted_;  // memory for build()
+  std::vector<std::uint32_t> column_;  // of each point of the cloud; memory for build()
   double radius_ = 0;
-  float width_ = 0;          // of a column [m]
+  float width_ = 0;  // of a column [m]
   float inverse_width_ = 0;
-  float inverse_bin_ = 0;    // bins a metre
+  float inverse_bin_ = 0;  // bins a metre
   float min_x_ = 0;
   float min_y_ = 0;
   float min_z_ = 0;

@@ -7,10 +7,10 @@
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cvo_slam/frontend/pair_sums.cc"
+#include <bit>
+
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
-
-#include <bit>
 
 #include "cvo_slam/frontend/pair_sums_internal.h"
 
@@ -99,8 +99,8 @@ class Motion {
  private:
   [[nodiscard]] HWY_INLINE Floats row(int i, const Point& p) const {
     const auto at = [&](int j) { return hn::Set(kTag, R_[3 * i + j]); };
-    return hn::MulAdd(
-        at(0), p.x, hn::MulAdd(at(1), p.y, hn::MulAdd(at(2), p.z, hn::Set(kTag, t_[i]))));
+    return hn::MulAdd(at(0), p.x,
+                      hn::MulAdd(at(1), p.y, hn::MulAdd(at(2), p.z, hn::Set(kTag, t_[i]))));
   }
 
   float R_[9];
@@ -148,8 +148,8 @@ HWY_INLINE Floats label_products(const Constants& constants, const PointCloud& f
 
 /// Calls visit(k, inside, r, d2) for each vector of grid points with any within `reach` of q.
 template <typename Visit>
-HWY_INLINE void for_each_neighbor(const NeighborGrid& grid, const Vector3& position,
-                                  const Point& q, Floats reach2, const Visit& visit) {
+HWY_INLINE void for_each_neighbor(const NeighborGrid& grid, const Vector3& position, const Point& q,
+                                  Floats reach2, const Visit& visit) {
   std::array<GridRun, NeighborGrid::kMaxRuns> runs;
   const std::size_t count =
       grid.query(static_cast<float>(position.x()), static_cast<float>(position.y()),
@@ -269,8 +269,8 @@ using PairTotals = Totals<sizeof(PairSums) / sizeof(double)>;
 /// Sums of one moving point a lane.
 struct LaneSums {
   Floats matched, value, w;
-  Point r;             ///< sum w r
-  Point rx, ry, rz;    ///< rows of sum w r r^T; of ry.x, rz.x and rz.y there is no need
+  Point r;           ///< sum w r
+  Point rx, ry, rz;  ///< rows of sum w r r^T; of ry.x, rz.x and rz.y there is no need
 };
 
 /// The positions in a row or group from a lane on.
@@ -389,8 +389,12 @@ HWY_INLINE Point broadcast(const Vector3& p) {
 /// What the flow gives a moving point, for sum_expansion().
 struct PointFlow {
   PointFlow(const Point& omega, const Point& v, const Point& q)
-      : u(cross(omega, q) + v), wu(cross(omega, u)), wwu(cross(omega, wu)), wwwu(cross(omega, wwu)),
-        u2(dot(u, u)), wu2(dot(wu, wu)) {}
+      : u(cross(omega, q) + v),
+        wu(cross(omega, u)),
+        wwu(cross(omega, wu)),
+        wwwu(cross(omega, wwu)),
+        u2(dot(u, u)),
+        wu2(dot(wu, wu)) {}
   Point u, wu, wwu, wwwu;
   Floats u2, wu2;
 };
@@ -508,8 +512,7 @@ void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE
 double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
                           const KernelOptions& kernel, double length_scale, std::size_t begin,
                           std::size_t end) {
-  return HWY_DYNAMIC_DISPATCH(sum_inner_products)
-  (grid, moving, kernel, length_scale, begin, end);
+  return HWY_DYNAMIC_DISPATCH(sum_inner_products)(grid, moving, kernel, length_scale, begin, end);
 }
 
 std::vector<float> simd_exp(std::span<const float> x) {

@@ -24,12 +24,12 @@ struct PairSums {
   double matched = 0;  ///< moving points with a neighbour inside the support
   std::array<double, 3> s{};
   std::array<double, 3> q_cross_s{};
-  std::array<double, 6> A{};        ///< xx, xy, xz, yy, yz, zz
-  std::array<double, 9> AQ{};       ///< A q^, by columns
-  std::array<double, 6> QAQ{};      ///< -q^ A q^: xx, xy, xz, yy, yz, zz
-  std::array<double, 9> sq{};       ///< s q^T, by columns
-  std::array<double, 3> wq{};       ///< w q
-  std::array<double, 6> wqq{};      ///< w q q^T: xx, xy, xz, yy, yz, zz
+  std::array<double, 6> A{};    ///< xx, xy, xz, yy, yz, zz
+  std::array<double, 9> AQ{};   ///< A q^, by columns
+  std::array<double, 6> QAQ{};  ///< -q^ A q^: xx, xy, xz, yy, yz, zz
+  std::array<double, 9> sq{};   ///< s q^T, by columns
+  std::array<double, 3> wq{};   ///< w q
+  std::array<double, 6> wqq{};  ///< w q q^T: xx, xy, xz, yy, yz, zz
 };
 
 /// Sums the groups [begin, end) of a table at a pose. Single precision within a moving point,
@@ -38,9 +38,9 @@ struct PairSums {
 PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
                    double length_scale, std::size_t begin, std::size_t end);
 
-/// G(t) = F(h exp(t xi)) - F(h) to fourth order in t, for h = T^-1 and the flow u = omega x q + v of
-/// the moved points q: the coefficients of t, t^2, t^3, t^4. With ln k along the flow
-/// beta t + gamma t^2 + delta t^3 + eps t^4,
+/// G(t) = F(h exp(t xi)) - F(h) to fourth order in t, for h = T^-1 and the flow u = omega x q + v
+/// of the moved points q: the coefficients of t, t^2, t^3, t^4. With ln k along the flow beta t +
+/// gamma t^2 + delta t^3 + eps t^4,
 ///   beta  = -1/ell^2 <u, r>,                  gamma = -1/(2 ell^2) (|u|^2 - <w^ u, r>),
 ///   delta = -1/(6 ell^2) <w^2 u, r>,          eps = 1/(24 ell^2) (|w^ u|^2 + <w^3 u, r>)
 /// each pair adds w times the coefficients of the exponential series. (The paper's lack the

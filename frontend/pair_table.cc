@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/frontend/pair_table_internal.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "cvo_slam/frontend/pair_sums_internal.h"
+#include "cvo_slam/frontend/pair_table_internal.h"
 
 namespace cvo_slam {
 namespace {

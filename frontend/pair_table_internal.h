@@ -16,8 +16,8 @@ namespace cvo_slam {
 
 /// The neighbours of some moving points, one list after the other, as a query finds them.
 struct NeighborLists {
-  std::vector<float> x, y, z;  ///< position of the fixed point [m]; more entries than used
-  std::vector<float> c;        ///< inner product of the labels
+  std::vector<float> x, y, z;        ///< position of the fixed point [m]; more entries than used
+  std::vector<float> c;              ///< inner product of the labels
   std::vector<std::uint32_t> count;  ///< neighbours of each moving point
   std::size_t used = 0;              ///< entries in use
 };
@@ -58,10 +58,10 @@ class PairTable {
   void group_by_count(std::size_t count);
   void fill(const PointCloud& moving);
 
-  std::vector<NeighborLists> lists_;        // one a chunk of moving points
-  std::vector<std::uint32_t> order_;        // moving points, those with most neighbours first
-  std::vector<std::uint32_t> list_begin_;   // of each moving point in its chunk's lists
-  std::vector<std::uint32_t> bucket_;       // for counting
+  std::vector<NeighborLists> lists_;       // one a chunk of moving points
+  std::vector<std::uint32_t> order_;       // moving points, those with most neighbours first
+  std::vector<std::uint32_t> list_begin_;  // of each moving point in its chunk's lists
+  std::vector<std::uint32_t> bucket_;      // for counting
   std::vector<Group> groups_;
   std::vector<Row> rows_;
   bool built_ = false;

@@ -28,7 +28,8 @@ constexpr float kGradientScale = 1.0F / 8;
 /// An order of n buckets any part of which is spread over all: steps near the golden section.
 std::vector<std::uint32_t> scattered(std::size_t n) {
   constexpr double kGoldenSection = 0.6180339887;
-  auto step = std::max<std::size_t>(1, static_cast<std::size_t>(kGoldenSection * static_cast<double>(n)));
+  auto step =
+      std::max<std::size_t>(1, static_cast<std::size_t>(kGoldenSection * static_cast<double>(n)));
   while (std::gcd(step, n) > 1) ++step;
   std::vector<std::uint32_t> order(n);
   for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<std::uint32_t>(i * step % n);
@@ -37,7 +38,8 @@ std::vector<std::uint32_t> scattered(std::size_t n) {
 
 std::vector<float> rays_of(const PinholeCamera& camera) {
   std::vector<float> rays;
-  rays.reserve(2 * static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+  rays.reserve(2 * static_cast<std::size_t>(camera.width) *
+               static_cast<std::size_t>(camera.height));
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
       const Vector3 ray = camera.unproject({u, v});
@@ -92,8 +94,8 @@ PointSelector::PointSelector(const Camera& camera, const SelectionOptions& optio
       options_(options),
       rays_(rays_of(camera.color)),
       bucket_columns_(buckets_along(camera.color.width)),
-      round_(scattered(static_cast<std::size_t>(bucket_columns_ *
-                                                buckets_along(camera.color.height)))) {
+      round_(scattered(
+          static_cast<std::size_t>(bucket_columns_ * buckets_along(camera.color.height)))) {
   candidates_.resize(round_.size() * kBucketSize);
   next_.resize(round_.size());
 }
@@ -191,8 +193,8 @@ void PointSelector::append(const Candidate& candidate, const Vector3& point,
     cloud.features[static_cast<std::size_t>(c)].push_back(
         color_.ptr<std::uint8_t>(v)[u * channels + channel]);
   }
-  cloud.features[3].push_back(kGradientScale * dx_.at<std::int16_t>(v, u));
-  cloud.features[4].push_back(kGradientScale * dy_.at<std::int16_t>(v, u));
+  cloud.features[3].push_back(kGradientScale * static_cast<float>(dx_.at<std::int16_t>(v, u)));
+  cloud.features[4].push_back(kGradientScale * static_cast<float>(dy_.at<std::int16_t>(v, u)));
 }
 
 PointCloud select_points(const RgbdFrame& frame, const Camera& camera, int count,

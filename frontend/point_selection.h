@@ -51,8 +51,8 @@ class PointSelector {
 
  private:
   struct Candidate {
-    std::uint16_t u, v;         ///< pixel
-    std::int32_t gradient2;     ///< squared gradient magnitude, on Sobel's scale
+    std::uint16_t u, v;      ///< pixel
+    std::int32_t gradient2;  ///< squared gradient magnitude, on Sobel's scale
   };
 
   void rank_bands();
@@ -65,11 +65,11 @@ class PointSelector {
   cv::Mat color_, depth_;    // of the prepared frame
   cv::Mat grey_, dx_, dy_, edges_;
   int bucket_columns_ = 0;
-  std::vector<Candidate> band_;            // the strongest pixel of each cell of a row of cells
-  std::vector<Candidate> candidates_;      // kBucketCells^2 places a bucket, strongest first
-  std::vector<std::uint8_t> counts_;       // candidates of each bucket
-  std::vector<std::uint8_t> next_;         // of each bucket, while selecting
-  std::vector<std::uint32_t> round_;       // order of the buckets within a round
+  std::vector<Candidate> band_;        // the strongest pixel of each cell of a row of cells
+  std::vector<Candidate> candidates_;  // kBucketCells^2 places a bucket, strongest first
+  std::vector<std::uint8_t> counts_;   // candidates of each bucket
+  std::vector<std::uint8_t> next_;     // of each bucket, while selecting
+  std::vector<std::uint32_t> round_;   // order of the buckets within a round
 };
 
 /// The points of a single frame; see PointSelector.

@@ -13,16 +13,6 @@
 
 namespace cvo_slam {
 
-namespace {
-
-/// The entry for a level of a list whose last entry holds for all after it.
-template <typename T>
-T at_level(const std::vector<T>& list, std::size_t level) {
-  return list[std::min(level, list.size() - 1)];
-}
-
-}  // namespace
-
 struct Registration::Impl {
   RegistrationOptions options;
   Executor executor;
@@ -31,8 +21,14 @@ struct Registration::Impl {
   PairTable pairs;                // memory
   NeighborGrid moving_grid;       // memory
 
+  /// The list's last entry holds for all levels after it.
+  [[nodiscard]] int max_iterations(std::size_t level) const {
+    return options.max_iterations[std::min(level, options.max_iterations.size() - 1)];
+  }
+
   [[nodiscard]] std::size_t points_at(std::size_t level, std::size_t size) const {
-    const double share = at_level(options.point_shares, level);
+    const auto coarser = static_cast<double>(options.length_scales.size() - 1 - level);
+    const double share = std::pow(options.coarser_share, coarser);
     return static_cast<std::size_t>(std::ceil(share * static_cast<double>(size)));
   }
 
@@ -69,7 +65,8 @@ Matrix6 curvature(const ObjectiveValue& value) {
 /// True where the points leave a motion free: too few of them, or all on a line. The majorising
 /// Hessian is that of point-to-point distances, whatever the weights.
 bool is_undetermined(const ObjectiveValue& value) {
-  constexpr double kMinEigenvalueRatio = 1e-10;
+  // Single precision leaves 1e-7; points 5 m away within 5 mm of a line give 1e-6.
+  constexpr double kMinEigenvalueRatio = 1e-6;
   const Eigen::Matrix<double, 6, 6> majorizer = value.majorizer;
   const Vector6 eigenvalues =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(majorizer, Eigen::EigenvaluesOnly)
@@ -100,13 +97,14 @@ void Registration::Impl::set_fixed(const PointCloud& fixed) {
     levels[level].build(fixed, by_x, points_at(level, fixed.size()), options.kernel, scales[level]);
   }
   const Objective& finest = levels.back();
-  fixed_squared_norm = squared_norm(finest.grid(), fixed, finest.kernel(), finest.length_scale(), executor);
+  fixed_squared_norm =
+      squared_norm(finest.grid(), fixed, finest.kernel(), finest.length_scale(), executor);
 }
 
 /// A level before the last one need only lead well into the reach of the next.
 StopRule Registration::Impl::stop_rule(std::size_t level) const {
-  StopRule rule{at_level(options.max_iterations, level), options.tolerance_translation,
-                options.tolerance_rotation, false};
+  StopRule rule{max_iterations(level), options.tolerance_translation, options.tolerance_rotation,
+                false};
   if (level + 1 == levels.size()) return rule;
   const double enough = options.coarse_tolerance * levels[level + 1].length_scale();
   rule.translation = std::max(rule.translation, enough);
@@ -119,7 +117,7 @@ LevelResult Registration::Impl::run_level(std::size_t level, const PointCloud& m
                                           const SE3& T_init) {
   PoseObjective objective(levels[level], moving, points_at(level, moving.size()), pairs, executor);
   if (options.solver == Solver::kNewton) return newton(objective, T_init, stop_rule(level));
-  return gradient_flow(objective, T_init, at_level(options.max_iterations, level), options.flow);
+  return gradient_flow(objective, T_init, max_iterations(level), options.flow);
 }
 
 /// All levels but the last; a level without overlap changes nothing.
@@ -164,8 +162,8 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
       squared_norm(moving_grid, moving, finest.kernel(), finest.length_scale(), executor);
   // The kernel cut to its support is not positive definite: on a regular lattice the quotient can
   // be larger than one.
-  result.cos_theta = std::min(1.0, state.value.inner_product /
-                                       std::sqrt(fixed_squared_norm * moving_squared_norm));
+  result.cos_theta = std::min(
+      1.0, state.value.inner_product / std::sqrt(fixed_squared_norm * moving_squared_norm));
   const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
   result.information =
       right_information(curvature(state.value), result.T_fixed_moving) / mean_weight;

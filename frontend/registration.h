@@ -37,9 +37,7 @@ struct RegistrationOptions {
   std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015};
   /// Most iterations at each length scale; the last entry holds for the scales after it.
   std::vector<int> max_iterations = {5, 5, 5, 10};
-  /// Share of both clouds' points used at each length scale; the last entry holds for the scales
-  /// after it.
-  std::vector<double> point_shares = {0.15, 0.3, 0.6, 1};
+  double coarser_share = 0.5;
   double tolerance_translation = 1e-4;
   double tolerance_rotation = 1e-4;
   double coarse_tolerance = 0.1;

@@ -38,9 +38,10 @@ OptionSet describe(RegistrationOptions& o) {
           "max_iterations", o.max_iterations, {1, 10000}, "",
           "Most iterations at each length scale; the last entry also holds for those after it. The "
           "coarse scales only prepare the next: a few steps will do.")
-      .add("point_shares", o.point_shares, {1e-3, 1}, "",
-           "Share of both clouds' points used at each length scale; the last entry holds for the "
-           "scales after it. Wide kernels see little of what each point adds.")
+      .add("coarser_share", o.coarser_share, {0.05, 1}, "",
+           "Every length scale uses this share of the points (of both clouds) that the next finer "
+           "one uses; the last uses all. Twice as wide a kernel reaches four times the points of a "
+           "surface, of which it needs no more than a fine one.")
       .add("coarse_tolerance", o.coarse_tolerance, {0, 10}, "",
            "A length scale before the last ends with a translation below this share of the next "
            "one: that is where the next one takes over.")

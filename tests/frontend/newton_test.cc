@@ -17,8 +17,18 @@ namespace {
 class Newton : public testing::Test {
  protected:
   Newton() {
-    options_.kernel.sparsification = 1e-3;
-    options_.tolerance_translation = options_.tolerance_rotation = 1e-7;
+    kernel_.sparsification = 1e-3;
+    stop_.translation = stop_.rotation = 1e-7;
+  }
+
+  [[nodiscard]] LevelResult search(const Objective& level, const PointCloud& cloud,
+                                   const SE3& T_init, int limit) const {
+    const Executor executor;
+    PairTable pairs;
+    PoseObjective objective(level, cloud, cloud.size(), pairs, executor);
+    StopRule stop = stop_;
+    stop.max_iterations = limit;
+    return newton(objective, T_init, stop);
   }
 
   /// The search from T_init, stopped after 1, 2, ... iterations.
@@ -26,10 +36,10 @@ class Newton : public testing::Test {
                                                const SE3& T_init) const {
     constexpr int kMost = 30;
     Objective objective;
-    objective.build(cloud, options_.kernel, ell);
+    objective.build(cloud, kernel_, ell);
     std::vector<LevelResult> results;
     for (int limit = 1; limit <= kMost; ++limit) {
-      results.push_back(newton(objective, cloud, T_init, limit, options_, Executor()));
+      results.push_back(search(objective, cloud, T_init, limit));
       if (results.back().converged) break;
     }
     return results;
@@ -37,11 +47,12 @@ class Newton : public testing::Test {
 
   [[nodiscard]] ObjectiveValue value_at(const PointCloud& cloud, double ell, const SE3& T) const {
     Objective objective;
-    objective.build(cloud, options_.kernel, ell);
+    objective.build(cloud, kernel_, ell);
     return objective.evaluate(cloud, T, Executor());
   }
 
-  RegistrationOptions options_;
+  KernelOptions kernel_;
+  StopRule stop_;
 };
 
 TEST_F(Newton, EveryStepRaisesTheObjective) {
@@ -117,18 +128,30 @@ TEST_F(Newton, StaysWhereNothingOverlaps) {
 }
 
 TEST_F(Newton, StopsWithoutToleranceToo) {
-  options_.tolerance_translation = options_.tolerance_rotation = 0;
+  stop_.translation = stop_.rotation = 0;
   const auto results = steps(random_cloud(150, 24), 0.1, motion(0.02, 0, 0, 0, 0.02, 0));
   EXPECT_TRUE(results.back().converged) << "where no step raises the objective any more";
+}
+
+TEST_F(Newton, MayTakeTheLastStepWithoutLooking) {
+  stop_.translation = stop_.rotation = 0.02;
+  stop_.take_last_step = true;
+  const PointCloud cloud = random_cloud(150, 26);
+  Objective objective;
+  objective.build(cloud, kernel_, 0.1);
+  const SE3 T_init = motion(0.01, 0, 0.01, 0, 0.01, 0);
+  const LevelResult result = search(objective, cloud, T_init, 20);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.iterations, 1);
+  EXPECT_LT(result.T_fixed_moving.log().norm(), 0.2 * T_init.log().norm()) << "it was taken";
 }
 
 TEST_F(Newton, DoesNotConvergeWhereThePoseIsFree) {
   // A single point can be turned about at will: both Hessians are singular.
   const PointCloud point = random_cloud(1, 25);
   Objective objective;
-  objective.build(point, options_.kernel, 0.1);
-  const auto result =
-      newton(objective, point, motion(0.01, 0, 0, 0, 0, 0), 20, options_, Executor());
+  objective.build(point, kernel_, 0.1);
+  const auto result = search(objective, point, motion(0.01, 0, 0, 0, 0, 0), 20);
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.iterations, 1);
   EXPECT_TRUE(result.T_fixed_moving.matrix().allFinite());
