@@ -28,5 +28,6 @@ inline Color mix(const Color& a, const Color& b, double share) { return a + shar
 [[nodiscard]] Color poster(const Texture& texture, const SurfacePoint& p);
 [[nodiscard]] Color spine(const Texture& texture, const SurfacePoint& p);
 [[nodiscard]] Color landscape(const Texture& texture, const SurfacePoint& p);
+[[nodiscard]] Color collage(const Texture& texture, const SurfacePoint& p);
 
 }  // namespace cvo_slam::synthetic

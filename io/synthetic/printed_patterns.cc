@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "cvo_slam/io/synthetic/box_filter_internal.h"
 #include "cvo_slam/io/synthetic/patterns_internal.h"
@@ -138,6 +139,27 @@ Color poster(const Texture& texture, const SurfacePoint& p) {
     color = mix(color, texture.accent, share * ink(texture.seed, lines.size_v / 3, lines));
   }
   return color;
+}
+
+Color collage(const Texture& texture, const SurfacePoint& p) {
+  constexpr double kGap = 0.06;  // between posters, in their width
+  const double width = (1 + kGap) * texture.scale;
+  const double height = (std::numbers::sqrt2 + kGap) * texture.scale;
+  const double column = std::floor(p.u / width);
+  const auto i = static_cast<std::int32_t>(column);
+  const double v = p.v + height * hash_unit(texture.seed, i);  // columns hang at different heights
+  const double row = std::floor(v / height);
+  SurfacePoint sheet = p;
+  sheet.u -= width * column + 0.5 * kGap * texture.scale;
+  sheet.v = v - height * row - 0.5 * kGap * texture.scale;
+  sheet.size_u = texture.scale;
+  sheet.size_v = std::numbers::sqrt2 * texture.scale;
+  const Color wall = Color::Constant(0.45);
+  const double share = inside(sheet);
+  if (share == 0) return wall;
+  Texture print = texture;
+  print.seed = hash(texture.seed + 1, i, static_cast<std::int32_t>(row));
+  return mix(wall, poster(print, sheet), share);
 }
 
 Color spine(const Texture& texture, const SurfacePoint& p) {

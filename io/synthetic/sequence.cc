@@ -108,7 +108,7 @@ class Recorder {
   Recorder(const std::filesystem::path& folder, const SequenceOptions& options)
       : folder_(folder),
         options_(options),
-        world_(make_world(options.scene, options.seed)),
+        world_(make_world(options.scene, {options.seed, options.path, options.speed})),
         camera_(synthetic_camera(options.width, options.height)) {
     const std::size_t frames = options.frames.value_or(frames_of_a_round(world_.path));
     for (std::size_t i = 0; i < frames; ++i) poses_.push_back(pose_of(world_.path, i));

@@ -39,6 +39,8 @@ Color pattern_color(const Texture& texture, const SurfacePoint& p) {
       return spine(texture, p);
     case Pattern::kLandscape:
       return landscape(texture, p);
+    case Pattern::kCollage:
+      return collage(texture, p);
   }
   return texture.base;
 }

@@ -25,6 +25,7 @@ enum class Pattern {
   kPoster,     ///< picture, title and text in a white margin
   kSpine,      ///< back of a book
   kLandscape,  ///< hills under clouds: what a window shows
+  kCollage,    ///< a plane full of posters, each `scale` wide
 };
 
 /// A procedural texture; a value that a scene file can describe.

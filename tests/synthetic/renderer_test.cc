@@ -130,7 +130,7 @@ double quantile(std::vector<double> values, double share) {
 }
 
 TEST(Render, FramesOfTheRoomReprojectIntoEachOther) {
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   for (const double start : {0.0, 2.5, 5.0, 7.5}) {
     const SE3 T_world_a = world.path.T_world_camera(start);
     const SE3 T_world_b = world.path.T_world_camera(start + 0.3);

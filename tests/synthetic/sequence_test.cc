@@ -91,7 +91,7 @@ TEST_F(Sequence, OpensInTheReaderWithItsOwnCameraPosesAndDepth) {
   ASSERT_EQ(data->size(), 5U);
   EXPECT_EQ(data->camera().color.fx, synthetic_camera(64, 48).color.fx);
   ASSERT_EQ(data->reference().size(), 5U);
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   const RgbdFrame frame = data->read(3);
   EXPECT_EQ(frame.problem, "");
   EXPECT_EQ(frame.stamp, frame.depth_stamp);
