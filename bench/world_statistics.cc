@@ -20,6 +20,7 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/io/dataset.h"
+#include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/synthetic/renderer.h"
 #include "cvo_slam/io/synthetic/sequence.h"
 #include "cvo_slam/io/synthetic/world.h"
@@ -135,12 +136,18 @@ void print_row(const std::string& name, const WorldStatistics& s) {
 void write_picture(const synthetic::World& world, const std::filesystem::path& file) {
   const Camera camera = synthetic::synthetic_camera(400, 300);
   std::vector<cv::Mat> views;
-  for (const double share : {0.06, 0.40, 0.72}) {
+  for (const double share : {0.25, 0.46, 0.96}) {
     views.push_back(frame_of(world, camera, share * world.path.duration()).color);
   }
   cv::Mat picture;
   cv::hconcat(views, picture);
-  cv::imwrite(file.string(), picture, {cv::IMWRITE_JPEG_QUALITY, 78});
+  constexpr std::size_t kLargest = 60000;  // [bytes]: the manual is no photo album
+  std::vector<unsigned char> bytes;
+  for (int quality = 90; quality > 20; quality -= 5) {
+    cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
+    if (bytes.size() <= kLargest) break;
+  }
+  write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 int run(int argc, char** argv) {

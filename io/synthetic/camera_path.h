@@ -25,10 +25,10 @@ struct Tremor {
 
 /// The plan of a camera's way.
 struct PathPlan {
-  std::vector<Viewpoint> viewpoints;  ///< at equal distances in time
-  double duration = 10;               ///< of one round, or of the way from end to end [s]
-  bool closed = true;                 ///< after the last viewpoint comes the first again
-  Tremor tremor;
+  std::vector<Viewpoint> viewpoints = {};  ///< at equal distances in time
+  double duration = 10;                    ///< of one round, or of the way from end to end [s]
+  bool closed = true;                      ///< after the last viewpoint comes the first again
+  Tremor tremor = {};
   double speed = 1;  ///< 2 = everything happens twice as fast, in half the duration
 };
 

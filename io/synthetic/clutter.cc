@@ -40,7 +40,7 @@ void paper_pile(const Wall& wall, const Vector3& at, int sheets) {
     const Vector3 place(at.x() + random.uniform(-0.02, 0.02), at.y() + random.uniform(-0.02, 0.02),
                         z);
     const bool printed = i + 1 == sheets || random.uniform(0, 1) < 0.6;
-    wall.box(place, {0.21, 0.297, thickness}, printed ? materials::paper() : painted(random),
+    wall.box(place, {0.21, 0.297, thickness}, printed ? materials::document() : painted(random),
              random.uniform(-0.35, 0.35));
     z += thickness + 1e-4;
   }
@@ -73,7 +73,7 @@ void waste_bin(const Wall& wall, const Vector3& at) {
   Random& random = wall.random();
   for (int i = 0; i < 4; ++i) {
     wall.sphere(at + Vector3(random.uniform(-0.08, 0.08), random.uniform(-0.08, 0.08), 0.34),
-                random.uniform(0.07, 0.1), materials::paper());
+                random.uniform(0.07, 0.1), materials::document());
   }
 }
 
@@ -135,24 +135,22 @@ void filing_shelf(const Wall& wall, double x, double width, int boards) {
   for (const double sign : {-1.0, 1.0}) {
     wall.box({x + sign * 0.5 * (width - kBoard), 0, 0}, {kBoard, kDepth, height}, side);
   }
-  wall.box({x, 0, 0}, {width - 2 * kBoard, 0.01, height}, materials::white_paint());
+  wall.box({x, 0, 0}, {width - 2 * kBoard, 0.01, height}, materials::rough_paint());
   const double inner = width - 2 * kBoard;
   for (int i = 0; i <= boards; ++i) {
     const double z = i * kStep;
     wall.box({x, 0.01, z}, {inner, kDepth - 0.01, kBoard}, materials::oak());
     if (i == boards) break;
     if (i == 0) {
-      wall.box({x - 0.25 * inner, 0.03, z + kBoard}, {0.4 * inner, 0.3, 0.26},
-               materials::cardboard());
-      wall.box({x + 0.22 * inner, 0.03, z + kBoard}, {0.38 * inner, 0.3, 0.2},
-               materials::cardboard());
+      wall.box({x - 0.25 * inner, 0.03, z + kBoard}, {0.4 * inner, 0.3, 0.26}, materials::carton());
+      wall.box({x + 0.22 * inner, 0.03, z + kBoard}, {0.38 * inner, 0.3, 0.2}, materials::carton());
     } else if (wall.random().uniform(0, 1) < 0.6) {
       binders(wall, {x, 0.03, z + kBoard}, inner - 0.02);
     } else {
       wall.books({x, 0.03, z + kBoard}, inner - 0.02, kDepth - 0.06, kStep - 0.05);
     }
   }
-  wall.box({x - 0.2 * width, 0.03, height}, {0.35 * width, 0.3, 0.22}, materials::cardboard());
+  wall.box({x - 0.2 * width, 0.03, height}, {0.35 * width, 0.3, 0.22}, materials::carton());
 }
 
 void workplace(const Wall& wall, double x, double width) {
@@ -160,20 +158,20 @@ void workplace(const Wall& wall, double x, double width) {
   constexpr double kHeight = 0.74;
   constexpr double kLeg = 0.05;
   Random& random = wall.random();
-  wall.box({x, 0.005, kHeight - kBoard}, {width - 0.01, kDepth, kBoard}, materials::oak());
+  wall.box({x, 0.005, kHeight - kBoard}, {width - 0.01, kDepth, kBoard}, materials::beech());
   for (const double sign : {-1.0, 1.0}) {
     for (const double y : {0.02, kDepth - kLeg - 0.02}) {
       wall.box({x + sign * (0.5 * width - kLeg), y, 0}, {kLeg, kLeg, kHeight - kBoard},
                materials::metal());
     }
   }
-  wall.box({x + 0.5 * width - 0.32, 0.08, 0.04}, {0.4, 0.55, 0.6}, materials::white_paint());
+  wall.box({x + 0.5 * width - 0.32, 0.08, 0.04}, {0.4, 0.55, 0.6}, materials::rough_paint());
   for (const double z : {0.22, 0.42}) {
     wall.box({x + 0.5 * width - 0.32, 0.63, z}, {0.16, 0.02, 0.02}, materials::metal());
   }
   const double middle = x + random.uniform(-0.12, 0.02);
   wall.screen({middle, 0.16, kHeight});
-  wall.box({middle, 0.42, kHeight}, {0.43, 0.14, 0.02}, materials::keyboard(),
+  wall.box({middle, 0.42, kHeight}, {0.43, 0.14, 0.02}, materials::keys(),
            random.uniform(-0.1, 0.1));
   wall.box({middle + 0.3, 0.44, kHeight}, {0.06, 0.1, 0.03}, materials::dark_plastic());
   paper_pile(wall, {x - 0.5 * width + 0.2, 0.2, kHeight}, 6);
@@ -192,6 +190,16 @@ void whiteboard(const Wall& wall, double x, double width, double height) {
   constexpr double kFoot = 0.95;
   wall.box({x, 0, kFoot}, {width, 0.02, height}, materials::metal());
   wall.sheet({x, 0.02 + kGap, kFoot + 0.5 * height}, width - 0.04, height - 0.04,
+             materials::white_board());
+  Texture red = materials::handwriting();
+  red.accent = {0.65, 0.12, 0.10};
+  red.scale = 0.08;
+  const double middle = kFoot + 0.5 * height;
+  wall.sheet({x - 0.27 * width, 0.02 + 2 * kGap, middle + 0.04}, 0.36 * width, 0.7 * height,
+             materials::handwriting());
+  wall.sheet({x + 0.12 * width, 0.02 + 2 * kGap, middle + 0.26 * height}, 0.25 * width,
+             0.25 * height, red);
+  wall.sheet({x + 0.3 * width, 0.02 + 2 * kGap, middle - 0.2 * height}, 0.28 * width, 0.4 * height,
              materials::handwriting());
   wall.box({x, 0.02, kFoot - 0.01}, {0.6 * width, 0.07, 0.02}, materials::metal());
   for (const double offset : {-0.2, -0.05, 0.15}) {

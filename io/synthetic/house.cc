@@ -14,7 +14,7 @@ namespace {
 using namespace house;
 
 Texture paint(const Color& color) {
-  Texture texture = materials::white_paint();
+  Texture texture = materials::rough_paint();
   texture.base = color;
   return texture;
 }
@@ -25,7 +25,7 @@ void add_floor(SceneBuilder& builder, double west, double east, double south, do
   const Vector3 middle(0.5 * (west + east), 0.5 * (south + north), 0);
   builder.sheet(middle, -Vector3::UnitZ(), east - west, north - south, floor);
   builder.sheet(middle + Vector3(0, 0, kCeiling), Vector3::UnitZ(), east - west, north - south,
-                materials::white_paint());
+                materials::rough_paint());
 }
 
 void add_floors(SceneBuilder& builder) {
@@ -60,25 +60,25 @@ void add_walls(SceneBuilder& builder) {
   wall({-kHalf, -kOuter, 0}, {-kHalf, kOuter, 0}, living, hall, ends);
   wall({kHalf, -kOuter, 0}, {kHalf, kOuter, 0}, hall, kitchen, ends);
   // Between the corridors and the rooms in the middle, each with one open door.
-  wall({-kHalf, kInner, 0}, {kHalf, kInner, 0}, hall, materials::white_paint(),
+  wall({-kHalf, kInner, 0}, {kHalf, kInner, 0}, hall, materials::rough_paint(),
        {kHalf + kOpenDoor});
-  wall({kHalf, -kInner, 0}, {-kHalf, -kInner, 0}, hall, materials::white_paint(),
+  wall({kHalf, -kInner, 0}, {-kHalf, -kInner, 0}, hall, materials::rough_paint(),
        {kHalf + kOpenDoor});
-  wall({0, -kInner, 0}, {0, kInner, 0}, materials::white_paint(), paint({0.62, 0.70, 0.78}));
+  wall({0, -kInner, 0}, {0, kInner, 0}, materials::rough_paint(), paint({0.62, 0.70, 0.78}));
 }
 
 void add_lights(SceneBuilder& builder) {
-  builder.ambient(0.36);
+  builder.ambient(0.46);
   for (const double x : {-3.4, 3.4}) {
     for (const double y : {-kAisle, kAisle}) {
       builder.cylinder({x, y, kCeiling - 0.07}, 0.34, 0.07, materials::lamp());
-      builder.light({x, y, kCeiling - 0.3}, 1.0);
+      builder.light({x, y, kCeiling - 0.3}, 1.4);
     }
   }
   for (const double x : {-0.5 * (kHalf + kEnd), 0.5 * (kHalf + kEnd)}) {
     builder.cylinder({x, 0, kCeiling - 0.4}, 0.45, 0.25, materials::lamp());
     builder.cylinder({x, 0, kCeiling - 0.15}, 0.02, 0.15, materials::metal());
-    builder.light({x, 0, kCeiling - 0.55}, 2.0);
+    builder.light({x, 0, kCeiling - 0.55}, 2.4);
   }
   for (const double x : {-2.2, 2.2}) builder.light({x, 0, 2.1}, 1.1);
 }

@@ -21,7 +21,7 @@ Texture print(std::uint32_t seed) {
 }
 
 void kitchen_counter(const Wall& wall, double x, double width) {
-  wall.box({x, 0, 0.08}, {width, 0.58, 0.79}, materials::white_paint());
+  wall.box({x, 0, 0.08}, {width, 0.58, 0.79}, materials::rough_paint());
   const int doors = static_cast<int>(width / 0.55);
   const double step = width / doors;
   for (int i = 0; i < doors; ++i) {
@@ -37,7 +37,7 @@ void kitchen_counter(const Wall& wall, double x, double width) {
 }
 
 void cupboards(const Wall& wall, double x, double width) {
-  wall.box({x, 0, 1.5}, {width, 0.32, 0.68}, materials::white_paint());
+  wall.box({x, 0, 1.5}, {width, 0.32, 0.68}, materials::rough_paint());
   const int doors = static_cast<int>(width / 0.45);
   const double step = width / doors;
   for (int i = 0; i < doors; ++i) {
@@ -87,6 +87,18 @@ void furnish_corridor(SceneBuilder& builder, double side) {
   }
   outer.box({0, 0, 0}, {2 * kHalf, 0.015, 0.09}, materials::oak());
   inner.box({0, 0, 0}, {1.7, 0.24, 0.72}, materials::oak());
+  for (const double x : {-0.6, 0.0, 0.6}) {  // the shoe cupboard's flaps
+    inner.box({x, 0.24, 0.05}, {0.52, 0.015, 0.6}, materials::upright(materials::beech()));
+    inner.box({x, 0.255, 0.55}, {0.12, 0.015, 0.02}, materials::metal());
+  }
+  plant(inner, {-0.6, 0.12, 0.72}, 0.3);
+  paper_pile(inner, {0.1, -0.03, 0.72}, 3);
+  for (const double x : {-6.2, -4.25, -2.55, -0.85, 0.85, 2.55, 4.25, 6.2}) {  // light switches
+    outer.box({x, 0, 1.08}, {0.08, 0.012, 0.08}, materials::ceramic());
+  }
+  for (const double x : {-4.6, 4.6}) {
+    outer.sheet({x - 0.85, 0.012, 1.6}, 0.3, 0.4, print(picture++));
+  }
   builder.box({0, side * kAisle, 0}, {2 * kHalf - 1, 0.8, 0.008}, materials::rug());
 }
 
@@ -132,7 +144,7 @@ void furnish_kitchen(SceneBuilder& builder) {
   east.window(1.7, 1.1, 1.15, 0.95);
   east.box({-1.5, 0, 0}, {0.62, 0.64, 1.85}, materials::metal());  // the fridge
   east.box({-1.5, 0.64, 0.62}, {0.6, 0.02, 1.2}, materials::ceramic());
-  east.sheet({-1.4, 0.665, 1.45}, 0.21, 0.297, materials::paper());
+  east.sheet({-1.4, 0.665, 1.45}, 0.21, 0.297, materials::document());
   east.sheet({-1.62, 0.665, 1.5}, 0.12, 0.16, materials::poster());
 
   table(builder, {8.75, -2.0, 0}, {0.8, 1.3, 0.74});
@@ -152,7 +164,7 @@ void furnish_kitchen(SceneBuilder& builder) {
   const Wall west(builder, {kHalf + kFace, 0, 0}, -Vector3::UnitX());
   west.bookshelf(-1.3, 1.3, 1.6, 4);
   west.cabinet(0.6, 1.4, 0.85);
-  west.box({0.4, 0.05, 0.85}, {0.3, 0.25, 0.3}, materials::cardboard());
+  west.box({0.4, 0.05, 0.85}, {0.3, 0.25, 0.3}, materials::carton());
   mug(west, {0.9, 0.2, 0.85});
   west.sheet({0.6, 0.01, 1.6}, 0.8, 0.6, materials::poster());
   west.sheet({1.7, 0.01, 1.6}, 0.42, 0.6, materials::poster());

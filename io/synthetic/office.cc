@@ -20,7 +20,7 @@ void add_shell(SceneBuilder& builder) {
   builder.sheet({0, 0, 0}, -Vector3::UnitZ(), 2 * kEast, 2 * kNorth, materials::carpet_tiles());
   builder.sheet({0, 0, kCeiling}, Vector3::UnitZ(), 2 * kEast, 2 * kNorth,
                 materials::ceiling_tiles());
-  Texture paint = materials::white_paint();
+  Texture paint = materials::rough_paint();
   for (const double sign : {-1.0, 1.0}) {
     builder.sheet({0, sign * kNorth, middle}, sign * Vector3::UnitY(), 2 * kEast, kCeiling, paint);
     builder.sheet({sign * kEast, 0, middle}, sign * Vector3::UnitX(), 2 * kNorth, kCeiling, paint);
@@ -28,7 +28,7 @@ void add_shell(SceneBuilder& builder) {
   for (const double x : {-1.7, 1.7}) {
     for (const double y : {-1.2, 1.2}) {
       builder.box({x, y, kCeiling - 0.07}, {1.25, 0.3, 0.07}, materials::lamp());
-      builder.light({x, y, kCeiling - 0.35}, 0.75);
+      builder.light({x, y, kCeiling - 0.35}, 1.15);
     }
   }
 }
@@ -43,7 +43,7 @@ void add_middle_desks(SceneBuilder& builder) {
       workplace(screen, x, 1.5);
       office_chair(screen, x + 0.06 * sign, 0.88, builder.random().uniform(-0.5, 0.5));
     }
-    screen.sheet({0.02, 0.005, 0.98}, 0.21, 0.297, materials::paper());
+    screen.sheet({0.02, 0.005, 0.98}, 0.21, 0.297, materials::document());
     screen.sheet({-1.3, 0.005, 1.0}, 0.21, 0.28, materials::poster());
   }
   const Wall side(builder, {1.62, 0, 0}, -Vector3::UnitX());
@@ -58,7 +58,7 @@ void furnish_north(SceneBuilder& builder) {
   wall.cabinet(0.1, 1.2, 0.72);
   paper_pile(wall, {-0.25, 0.03, 0.72}, 8);
   wall.box({0.3, 0.04, 0.72}, {0.44, 0.34, 0.2}, materials::dark_plastic());  // the printer
-  wall.box({0.3, 0.08, 0.92}, {0.3, 0.22, 0.03}, materials::paper());
+  wall.box({0.3, 0.08, 0.92}, {0.3, 0.22, 0.03}, materials::document());
   wall.sheet({1.85, 0.01, 1.6}, 0.6, 0.85, materials::poster());
   filing_shelf(wall, 2.8, 1.2, 4);
   plant(wall, {1.85, 0.3, 0}, 1.1);
@@ -71,11 +71,11 @@ void furnish_south(SceneBuilder& builder) {
   wall.cabinet(-0.9, 1.2, 0.7);
   wall.books({-2.8, 0.05, 0.7}, 0.6, 0.25, 0.28);
   binders(wall, {-0.9, 0.04, 0.7}, 0.8);
-  wall.box({-2.2, 0.05, 0.7}, {0.35, 0.28, 0.22}, materials::cardboard());
+  wall.box({-2.2, 0.05, 0.7}, {0.35, 0.28, 0.22}, materials::carton());
   workplace(wall, 0.75, 1.5);
   office_chair(wall, 0.7, 0.9, 0.3);
-  wall.box({2.0, 0.05, 0}, {0.5, 0.45, 0.38}, materials::cardboard());
-  wall.box({2.03, 0.08, 0.38}, {0.4, 0.35, 0.28}, materials::cardboard(), 0.15);
+  wall.box({2.0, 0.05, 0}, {0.5, 0.45, 0.38}, materials::carton());
+  wall.box({2.03, 0.08, 0.38}, {0.4, 0.35, 0.28}, materials::carton(), 0.15);
   plant(wall, {2.8, 0.4, 0}, 1.4);
 }
 
@@ -86,7 +86,7 @@ void furnish_east(SceneBuilder& builder) {
   wall.sheet({-1.0, 0.01, 1.65}, 0.84, 0.6, materials::poster());
   wall.sheet({-0.25, 0.01, 1.6}, 0.42, 0.6, materials::poster());
   wall.door(0.85);
-  wall.sheet({1.65, 0.01, 1.5}, 0.3, 0.42, materials::paper());
+  wall.sheet({1.65, 0.01, 1.5}, 0.3, 0.42, materials::document());
   waste_bin(wall, {0.1, 0.2, 0});
 }
 
@@ -95,12 +95,12 @@ void furnish_west(SceneBuilder& builder) {
   workplace(wall, -0.4, 1.6);
   office_chair(wall, -0.35, 0.92, 0.2);
   wall.sheet({-0.75, 0.01, 1.62}, 0.5, 0.7, materials::poster());
-  wall.sheet({-0.1, 0.01, 1.6}, 0.297, 0.42, materials::paper());
-  wall.sheet({0.25, 0.01, 1.66}, 0.21, 0.297, materials::paper());
+  wall.sheet({-0.1, 0.01, 1.6}, 0.297, 0.42, materials::document());
+  wall.sheet({0.25, 0.01, 1.66}, 0.21, 0.297, materials::document());
   filing_shelf(wall, 1.15, 1.2, 5);
   wall.box({-1.6, 0, 0}, {0.6, 0.5, 1.3}, materials::metal());  // a steel cabinet
-  wall.box({-1.6, 0.5, 0.04}, {0.56, 0.015, 1.2}, materials::white_paint());
-  wall.box({-1.6, 0.06, 1.3}, {0.4, 0.35, 0.25}, materials::cardboard());
+  wall.box({-1.6, 0.5, 0.04}, {0.56, 0.015, 1.2}, materials::rough_paint());
+  wall.box({-1.6, 0.06, 1.3}, {0.4, 0.35, 0.25}, materials::carton());
 }
 
 PathPlan office_plan(std::uint32_t seed) {
@@ -130,7 +130,7 @@ World office_world(std::uint32_t seed) {
   furnish_south(builder);
   furnish_east(builder);
   furnish_west(builder);
-  builder.ambient(0.42);
+  builder.ambient(0.5);
   builder.light({0, -2.2, 1.7}, 0.6);  // daylight
   // From beside the desks across them.
   const Anchor anchor{.view = {{-1.9, 1.4, 1.5}, {0.1, -0.1, 0.8}}};

@@ -14,7 +14,7 @@ using Color = Eigen::Array3d;
 
 /// What a surface looks like. All patterns are procedural and repeat nowhere.
 enum class Pattern {
-  kPlaster,    ///< blotches and grain
+  kPlaster,    ///< blotches of up to three times the scale, and grain
   kWood,       ///< planks along u with rings and grain
   kBricks,     ///< courses of bricks in mortar
   kTiles,      ///< checker of base and accent with joints

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/options.h"
@@ -178,24 +179,35 @@ class WorldReader {
     return primitive;
   }
 
+  /// Which of the keys stands there; empty where none does. Throws where several do.
+  static std::string one_of(const YamlValue& value, const std::vector<std::string>& keys) {
+    std::string found;
+    for (const auto& key : keys) {
+      if (value.find(key) == nullptr) continue;
+      if (!found.empty()) {
+        value.fail(fmt::format("shape: give one of {} and {}, not several",
+                               fmt::join(keys.begin(), keys.end() - 1, ", "), keys.back()));
+      }
+      found = key;
+    }
+    return found;
+  }
+
   static Shape read_shape(const YamlValue& value) {
-    if (value.find("box") != nullptr) {
-      const auto size = sizes(*value.find("box"), "box", 3);
-      return Box{{size[0], size[1], size[2]}};
+    const std::string kind = one_of(value, {"box", "sheet", "cylinder", "sphere"});
+    if (kind.empty()) {
+      value.fail("shape: say what it is: box, sheet, cylinder or sphere, with its size");
     }
-    if (value.find("sheet") != nullptr) {
-      const auto size = sizes(*value.find("sheet"), "sheet", 2);
-      return Rectangle{size[0], size[1]};
-    }
-    if (value.find("cylinder") != nullptr) {
-      const auto size = sizes(*value.find("cylinder"), "cylinder", 2);
-      return Cylinder{size[0], size[1]};
-    }
-    if (value.find("sphere") != nullptr) return Sphere{positive(*value.find("sphere"), "sphere")};
-    value.fail("shape: say what it is: box, sheet, cylinder or sphere, with its size");
+    const YamlValue& size = *value.find(kind);
+    if (kind == "sphere") return Sphere{positive(size, kind)};
+    const auto lengths = sizes(size, kind, kind == "box" ? 3 : 2);
+    if (kind == "box") return Box{{lengths[0], lengths[1], lengths[2]}};
+    if (kind == "sheet") return Rectangle{lengths[0], lengths[1]};
+    return Cylinder{lengths[0], lengths[1]};
   }
 
   static Matrix3 read_rotation(const YamlValue& value) {
+    static_cast<void>(one_of(value, {"yaw", "facing", "rotation"}));
     if (const auto* yaw = value.find("yaw")) return so3_exp({0, 0, yaw->number("yaw")});
     if (const auto* forward = value.find("facing")) {
       const Vector3 direction = vector3(*forward, "facing");
@@ -218,14 +230,15 @@ class WorldReader {
   }
 
   static Vector3 read_center(const YamlValue& value, const Shape& shape) {
-    if (const auto* at = value.find("at")) return vector3(*at, "at");
-    const auto* on = value.find("on");
-    if (on == nullptr) value.fail("shape: say where it is: 'at' (its centre) or 'on' (its foot)");
+    const std::string key = one_of(value, {"at", "on"});
+    if (key.empty()) value.fail("shape: say where it is: 'at' (its centre) or 'on' (its foot)");
+    const Vector3 place = vector3(*value.find(key), key);
+    if (key == "at") return place;
     double height = 0;
     if (const auto* box = std::get_if<Box>(&shape)) height = box->size.z();
     if (const auto* cylinder = std::get_if<Cylinder>(&shape)) height = cylinder->height;
     if (const auto* sphere = std::get_if<Sphere>(&shape)) height = sphere->diameter;
-    return vector3(*on, "on") + Vector3(0, 0, 0.5 * height);
+    return place + Vector3(0, 0, 0.5 * height);
   }
 
   static Viewpoint read_viewpoint(const YamlValue& value) {

@@ -10,10 +10,10 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-constexpr std::array<Pattern, 11> kAllPatterns = {
-    Pattern::kPlaster, Pattern::kWood,  Pattern::kBricks,   Pattern::kTiles,
-    Pattern::kStripes, Pattern::kPlaid, Pattern::kCarpet,   Pattern::kText,
-    Pattern::kPoster,  Pattern::kSpine, Pattern::kLandscape};
+constexpr std::array<Pattern, 12> kAllPatterns = {
+    Pattern::kPlaster, Pattern::kWood,  Pattern::kBricks,    Pattern::kTiles,
+    Pattern::kStripes, Pattern::kPlaid, Pattern::kCarpet,    Pattern::kText,
+    Pattern::kPoster,  Pattern::kSpine, Pattern::kLandscape, Pattern::kCollage};
 
 Texture texture_of(Pattern pattern) {
   return {pattern, {0.8, 0.7, 0.6}, {0.2, 0.2, 0.3}, 0.1, 0.4, false, 7};
