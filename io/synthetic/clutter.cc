@@ -55,7 +55,8 @@ void desk_lamp(const Wall& wall, const Vector3& at) {
 
 void plant(const Wall& wall, const Vector3& at, double height) {
   const double pot = 0.32 * height;
-  wall.cylinder(at, 0.36 * height, pot, {Pattern::kPlaster, {0.62, 0.30, 0.18}, {}, 0.1, 0.4});
+  wall.cylinder(at, 0.36 * height, pot,
+                {Pattern::kPlaster, {0.62, 0.30, 0.18}, {0.3, 0.2, 0.1}, 0.1, 0.4});
   wall.cylinder(at + Vector3(0, 0, pot), 0.04 * height, 0.3 * height, materials::walnut());
   Random& random = wall.random();
   for (int i = 0; i < 16; ++i) {

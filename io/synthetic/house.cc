@@ -84,23 +84,29 @@ void add_lights(SceneBuilder& builder) {
 }
 
 /// From the living room eastwards through one corridor, back through the other, and on through the
-/// living room past the start.
+/// living room past the start, up to where the first corridor is seen again.
 std::vector<Vector3> corners() {
   constexpr double kEyes = 1.45;  // [m]
-  constexpr double kFar = kHalf + 0.95;
-  constexpr double kNear = kHalf - 0.7;
-  constexpr std::array<std::array<double, 2>, 12> kPlan = {{{-kFar - 0.1, -0.6},
-                                                            {-kFar, 2.2},
-                                                            {-kNear, kAisle},
-                                                            {kNear, kAisle},
-                                                            {kFar, 2.2},
-                                                            {kFar + 0.1, 0},
-                                                            {kFar, -2.2},
-                                                            {kNear, -kAisle},
-                                                            {-kNear, -kAisle},
-                                                            {-kFar, -2.2},
-                                                            {-kFar - 0.15, -0.6},
-                                                            {-kFar, 2.3}}};
+  constexpr double kDoor = kHalf - 0.1;
+  constexpr double kTurn = kHalf + 0.8;
+  constexpr double kFar = kHalf + 1.1;
+  constexpr std::array<std::array<double, 2>, 17> kPlan = {{{-kFar - 0.1, -0.8},
+                                                            {-kFar, 1.2},
+                                                            {-kTurn, 2.6},
+                                                            {-kDoor, kAisle},
+                                                            {kDoor, kAisle},
+                                                            {kTurn, 2.6},
+                                                            {kFar, 1.2},
+                                                            {kFar, -1.2},
+                                                            {kTurn, -2.6},
+                                                            {kDoor, -kAisle},
+                                                            {-kDoor, -kAisle},
+                                                            {-kTurn, -2.6},
+                                                            {-kFar, -1.2},
+                                                            {-kFar, 1.2},
+                                                            {-kTurn, 2.6},
+                                                            {-kDoor, kAisle},
+                                                            {-kDoor + 1.5, kAisle}}};
   std::vector<Vector3> result;
   for (const auto& [x, y] : kPlan) result.emplace_back(x, y, kEyes);
   return result;
@@ -108,8 +114,8 @@ std::vector<Vector3> corners() {
 
 PathPlan house_plan(std::uint32_t seed) {
   constexpr double kSpacing = 0.45;  // [m]
-  PathPlan plan{.viewpoints = walk_along(corners(), false, kSpacing, 1.8, 0.18),
-                .duration = 62,  // [s]
+  PathPlan plan{.viewpoints = walk_along(corners(), false, kSpacing, 2.5, 0.22),
+                .duration = 64,  // [s]
                 .closed = false,
                 .tremor = {.seed = seed}};
   return plan;

@@ -61,7 +61,7 @@ void on_the_counter(const Wall& wall, double x) {
   for (std::size_t i = 0; i < fruit.size(); ++i) {
     wall.sphere({x + 0.07 * static_cast<double>(i) - 0.02, 0.26 + 0.03 * static_cast<double>(i),
                  kTop + 0.1},
-                0.085, {Pattern::kPlaster, fruit[i], {}, 0.05, 0.5});
+                0.085, {Pattern::kPlaster, fruit[i], fruit[i], 0.05, 0.5});
   }
   mug(wall, {x + 0.55, 0.25, kTop});
   mug(wall, {x + 0.68, 0.2, kTop});

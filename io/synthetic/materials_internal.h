@@ -100,7 +100,7 @@ inline Texture posters() {
 }
 /// A painted wall whose residual contrast is two grey levels of 255 under the worlds' light.
 inline Texture plain() {
-  return {Pattern::kPlaster, {0.66, 0.66, 0.64}, {0.5, 0.5, 0.5}, 0.1, 0.011};
+  return {Pattern::kPlaster, {0.66, 0.66, 0.64}, {0.5, 0.5, 0.5}, 0.1, 0.021};
 }
 /// The same board standing upright.
 inline Texture upright(Texture texture) {

@@ -87,9 +87,15 @@ PathPlan walk(const World& world, const Tremor& tremor) {
   }
   constexpr double kSpacing = 0.4;  // [m]
   constexpr double kPace = 0.7;     // [m/s]
-  const PathPlan& own = world.path.plan();
+  PathPlan own = world.path.plan();
+  own.tremor.translation = 0;
+  const CameraPath smooth(own);
   std::vector<Vector3> corners;
-  for (const auto& viewpoint : own.viewpoints) corners.push_back(viewpoint.position);
+  const auto samples = static_cast<int>(8 * own.viewpoints.size());
+  for (int i = 0; i < samples; ++i) {
+    const double share = static_cast<double>(i) / (own.closed ? samples : samples - 1);
+    corners.push_back(smooth.T_world_camera(share * smooth.duration()).translation());
+  }
   PathPlan plan;
   plan.viewpoints = walk_along(corners, own.closed, kSpacing, 1.5, 0.15);
   plan.closed = own.closed;
@@ -129,8 +135,7 @@ PathPlan plan_of(PathStyle style, const World& world, const Tremor& hand) {
     case PathStyle::kShake:
       break;
   }
-  constexpr double kTimes = 5;
-  return standing(world, {kTimes * hand.translation, kTimes * hand.rotation, hand.seed});
+  return standing(world, {5 * hand.translation, 10 * hand.rotation, hand.seed});
 }
 
 /// The points at equal distances along the connection of the corners.

@@ -141,7 +141,10 @@ Color poster(const Texture& texture, const SurfacePoint& p) {
   return color;
 }
 
-Color collage(const Texture& texture, const SurfacePoint& p) {
+namespace {
+
+/// A plane of posters, with the accuracy that poster() has.
+Color collage_sample(const Texture& texture, const SurfacePoint& p) {
   constexpr double kGap = 0.06;  // between posters, in their width
   const double width = (1 + kGap) * texture.scale;
   const double height = (std::numbers::sqrt2 + kGap) * texture.scale;
@@ -160,6 +163,24 @@ Color collage(const Texture& texture, const SurfacePoint& p) {
   Texture print = texture;
   print.seed = hash(texture.seed + 1, i, static_cast<std::int32_t>(row));
   return mix(wall, poster(print, sheet), share);
+}
+
+}  // namespace
+
+Color collage(const Texture& texture, const SurfacePoint& p) {
+  // Pixels are larger on these posters than on one that fills its wall: four samples a pixel.
+  SurfacePoint quarter = p;
+  quarter.footprint_u = 0.5 * p.footprint_u;
+  quarter.footprint_v = 0.5 * p.footprint_v;
+  Color sum = Color::Zero();
+  for (const double du : {-0.25, 0.25}) {
+    for (const double dv : {-0.25, 0.25}) {
+      quarter.u = p.u + du * p.footprint_u;
+      quarter.v = p.v + dv * p.footprint_v;
+      sum += 0.25 * collage_sample(texture, quarter);
+    }
+  }
+  return sum;
 }
 
 Color spine(const Texture& texture, const SurfacePoint& p) {

@@ -18,10 +18,10 @@ enum class ImageFormat { kPng, kJpeg };
 
 /// What to record of a world.
 struct SequenceOptions {
-  std::string scene = "room";         ///< one of world_names(), or a world file (*.yaml)
-  std::uint32_t seed = 1;             ///< of textures, clutter and tremor
-  std::optional<PathStyle> path;      ///< empty = the world's own
-  double speed = 1;                   ///< 2 = the same way in half the time
+  std::string scene = "room";                    ///< one of world_names(), or a world file (*.yaml)
+  std::uint32_t seed = 1;                        ///< of textures, clutter and tremor
+  std::optional<PathStyle> path = std::nullopt;  ///< empty = the world's own
+  double speed = 1;                              ///< 2 = the same way in half the time
   std::optional<std::size_t> frames;  ///< the first so many at 30 Hz; empty = the whole path
   int width = 640;                    ///< [px] in [16, 4096]
   int height = 480;                   ///< [px] in [16, 4096]

@@ -35,14 +35,14 @@ enum class PathStyle {
   kWalk,      ///< along the world's own path, with the view ahead
   kRotate,    ///< turns on the spot: no translation at all
   kStill,     ///< on a tripod: no motion at all
-  kShake,     ///< stands, and trembles five times as much as a hand
+  kShake,     ///< stands, and trembles five (turning: ten) times as much as a hand
 };
 [[nodiscard]] const std::vector<std::pair<std::string, PathStyle>>& path_style_names();
 
 struct WorldOptions {
-  std::uint32_t seed = 1;          ///< of textures, clutter and tremor
-  std::optional<PathStyle> style;  ///< empty = the world's own path
-  double speed = 1;                ///< 2 = the same way in half the time
+  std::uint32_t seed = 1;                         ///< of textures, clutter and tremor
+  std::optional<PathStyle> style = std::nullopt;  ///< empty = the world's own path
+  double speed = 1;                               ///< 2 = the same way in half the time
 };
 
 /// The built-in world of that name, or that of a file, which a name ending in ".yaml" or ".yml"

@@ -74,7 +74,7 @@ TEST_P(PathStyles, AllStylesAreSmoothAndKeepClear) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, PathStyles, ::testing::ValuesIn(world_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& test) { return test.param; });
 
 CameraPath office_path(PathStyle style, double speed = 1) {
   return make_world("office", {.style = style, .speed = speed}).path;

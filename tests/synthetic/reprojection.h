@@ -60,4 +60,16 @@ inline double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(position)];
 }
 
+/// The median difference of a pixel from its neighbour to the right [grey levels].
+inline double neighbor_difference(const Rendering& frame) {
+  std::vector<double> differences;
+  for (int y = 0; y < frame.color.rows; ++y) {
+    for (int x = 0; x + 1 < frame.color.cols; ++x) {
+      differences.push_back(
+          std::abs(frame.color.at<cv::Vec3f>(y, x)[1] - frame.color.at<cv::Vec3f>(y, x + 1)[1]));
+    }
+  }
+  return quantile(std::move(differences), 0.5);
+}
+
 }  // namespace cvo_slam::synthetic

@@ -114,7 +114,7 @@ TEST(WorldFileError, TooFewViewpointsAreCounted) {
 }
 
 TEST(WorldFileError, ACameraInsideAWallIsFoundWithItsTime) {
-  const std::string message = error_with("position: [0.4, 0, 1]", "position: [0, 7, 1]");
+  const std::string message = error_with("position: [0.4, 0, 1]", "position: [0.4, 8, 1]");
   EXPECT_THAT(message, StartsWith("w.yaml:13: path: after "));
   EXPECT_THAT(message,
               HasSubstr("s the camera is inside or nearer than 0.05 m to the shape of line"));

@@ -40,7 +40,7 @@ TEST_P(WorldFile, GivesTheVeryWorldThatWasWritten) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, WorldFile, ::testing::ValuesIn(world_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& test) { return test.param; });
 
 constexpr const char* kOwnWorld = R"(
 ambient: 0.6
