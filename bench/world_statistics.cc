@@ -136,7 +136,7 @@ void print_row(const std::string& name, const WorldStatistics& s) {
 void write_picture(const synthetic::World& world, const std::filesystem::path& file) {
   const Camera camera = synthetic::synthetic_camera(400, 300);
   std::vector<cv::Mat> views;
-  for (const double share : {0.25, 0.46, 0.96}) {
+  for (const double share : {0.25, 0.46, 0.82}) {
     views.push_back(frame_of(world, camera, share * world.path.duration()).color);
   }
   cv::Mat picture;

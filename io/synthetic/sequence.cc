@@ -95,11 +95,19 @@ std::string image_list(const char* title, const char* folder, const char* extens
   return text;
 }
 
+std::string path_name(const SequenceOptions& options) {
+  for (const auto& [name, style] : path_style_names()) {
+    if (options.path == style) return name;
+  }
+  return "own";
+}
+
 std::string marker_text(const SequenceOptions& options, std::size_t frames) {
   return fmt::format(
       "# Made by cvo_slam synth, which may replace this sequence when asked to write here again.\n"
-      "scene: {}\nseed: {}\nframes: {}\nwidth: {}\nheight: {}\nnoise: none\n",
-      options.scene, options.seed, frames, options.width, options.height);
+      "scene: {}\nseed: {}\npath: {}\nspeed: {}\nframes: {}\nwidth: {}\nheight: {}\nnoise: none\n",
+      options.scene, options.seed, path_name(options), options.speed, frames, options.width,
+      options.height);
 }
 
 /// One sequence in the making.
