@@ -1,86 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <map>
 #include <vector>
 
 #include <Eigen/LU>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/options.h"
 #include "cvo_slam/io/synthetic/material_names_internal.h"
 #include "cvo_slam/io/synthetic/path_check_internal.h"
 #include "cvo_slam/io/synthetic/random_internal.h"
 #include "cvo_slam/io/synthetic/scene_builder_internal.h"
 #include "cvo_slam/io/synthetic/world_file.h"
+#include "cvo_slam/io/synthetic/world_values_internal.h"
 #include "cvo_slam/io/yaml_value.h"
 
 namespace cvo_slam::synthetic {
 namespace {
-
-double number_in(const YamlValue& value, const std::string& what, double low, double high) {
-  const double number = value.number(what);
-  if (number < low || number > high) {
-    value.fail(fmt::format("{}: {} must be in [{}, {}]", what, number, low, high));
-  }
-  return number;
-}
-
-double positive(const YamlValue& value, const std::string& what) {
-  const double number = value.number(what);
-  if (number <= 0) value.fail(fmt::format("{}: {} must be positive", what, number));
-  return number;
-}
-
-double not_negative(const YamlValue& value, const std::string& what) {
-  const double number = value.number(what);
-  if (number < 0) value.fail(fmt::format("{}: {} must not be negative", what, number));
-  return number;
-}
-
-Vector3 vector3(const YamlValue& value, const std::string& what) {
-  const auto numbers = value.numbers(what, 3);
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-std::vector<double> sizes(const YamlValue& value, const std::string& what, std::size_t count) {
-  auto numbers = value.numbers(what, count);
-  for (const double number : numbers) {
-    if (number <= 0) value.fail(fmt::format("{}: the size {} must be positive", what, number));
-  }
-  return numbers;
-}
-
-std::uint32_t seed_of(const YamlValue& value) {
-  constexpr double kLargest = 4294967295.0;
-  const double number = number_in(value, "seed", 0, kLargest);
-  const auto seed = static_cast<std::uint32_t>(number);
-  if (seed != number) value.fail(fmt::format("seed: {} must be a whole number", number));
-  return seed;
-}
-
-Color color(const YamlValue& value, const std::string& what) {
-  const Color result = vector3(value, what).array();
-  if ((result < 0).any() || (result > 1).any()) {
-    value.fail(fmt::format("{}: red, green and blue must be in [0, 1]", what));
-  }
-  return result;
-}
-
-/// The value of a name; `what` is for the message where it is unknown.
-template <typename Value>
-const Value& lookup(const std::vector<std::pair<std::string, Value>>& names, const YamlValue& value,
-                    const std::string& what) {
-  const std::string& name = value.word(what);
-  std::vector<std::string> known;
-  for (const auto& entry : names) {
-    if (entry.first == name) return entry.second;
-    known.push_back(entry.first);
-  }
-  value.fail(fmt::format("{}: '{}' is unknown; {}", what, name, suggestion(name, known)));
-}
 
 /// What a file says, in the making.
 class WorldReader {
@@ -177,20 +113,6 @@ class WorldReader {
       }
     }
     return primitive;
-  }
-
-  /// Which of the keys stands there; empty where none does. Throws where several do.
-  static std::string one_of(const YamlValue& value, const std::vector<std::string>& keys) {
-    std::string found;
-    for (const auto& key : keys) {
-      if (value.find(key) == nullptr) continue;
-      if (!found.empty()) {
-        value.fail(fmt::format("shape: give one of {} and {}, not several",
-                               fmt::join(keys.begin(), keys.end() - 1, ", "), keys.back()));
-      }
-      found = key;
-    }
-    return found;
   }
 
   static Shape read_shape(const YamlValue& value) {
