@@ -19,7 +19,6 @@ class YamlConverter {
   explicit YamlConverter(const std::filesystem::path& file)
       : file_(std::make_shared<const std::filesystem::path>(file)) {}
 
-  // NOLINTNEXTLINE(misc-no-recursion): values nest; yaml-cpp bounds the depth
   [[nodiscard]] YamlValue convert(const YAML::Node& node) const {
     YamlValue value;
     value.file_ = file_;
@@ -38,7 +37,6 @@ class YamlConverter {
   }
 
  private:
-  // NOLINTNEXTLINE(misc-no-recursion)
   void add_entry(const YAML::Node& key, const YAML::Node& node, YamlValue& map) const {
     if (!key.IsScalar()) throw InputError(*file_, line_of(key), "a key must be a plain word");
     if (map.find(key.Scalar()) != nullptr) {

@@ -86,6 +86,17 @@ TEST(WorldFileError, NumbersMustBeNumbers) {
   EXPECT_THAT(error_with("scale: 0.3", "base: [0, 2, 0]"), HasSubstr("must be in [0, 1]"));
 }
 
+TEST(WorldFileError, ValuesOfAnotherKindAreRefused) {
+  EXPECT_EQ(error_with("duration: 8", "closed: maybe"),
+            "w.yaml:13: path: the key 'duration' is missing");
+  EXPECT_THAT(error_with("duration: 8", "duration: 8\n  closed: maybe"),
+              HasSubstr("w.yaml:14: closed: expected true or false"));
+  EXPECT_THAT(error_with("material: oak", "material: [oak]"),
+              HasSubstr("w.yaml:7: material: expected 'key: value' entries"));
+  EXPECT_THAT(error_with("lights:\n  - {position: [0, 0, 2], power: 1.5}", "lights: many"),
+              HasSubstr("w.yaml:2: lights: expected a list"));
+}
+
 TEST(WorldFileError, WhatIsMissingIsNamed) {
   EXPECT_EQ(error_with("    material: oak\n", ""),
             "w.yaml:5: shape: the key 'material' is missing");
