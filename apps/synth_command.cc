@@ -16,9 +16,11 @@
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/apps/settings.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/synthetic/sequence.h"
 #include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/io/synthetic/world_file.h"
 
 namespace cvo_slam {
 namespace {
@@ -28,6 +30,8 @@ struct SynthArguments {
   std::string size = "640x480";
   std::string noise = "none";
   std::string image = "png";
+  std::string path = "own";
+  std::string dump;
   long frames = 0;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::filesystem::path config;
@@ -59,14 +63,38 @@ synthetic::SensorOptions sensor_options(const SynthArguments& arguments) {
   return sensor;
 }
 
+void parse_path(const std::string& word, synthetic::SequenceOptions& options) {
+  for (const auto& [name, style] : synthetic::path_style_names()) {
+    if (name == word) options.path = style;
+  }
+}
+
+std::vector<std::string> path_words() {
+  std::vector<std::string> words = {"own"};
+  for (const auto& [name, style] : synthetic::path_style_names()) words.push_back(name);
+  return words;
+}
+
+int dump_world(const SynthArguments& arguments) {
+  const auto& options = arguments.sequence;
+  const auto world =
+      synthetic::make_world(options.scene, {options.seed, options.path, options.speed});
+  cvo_slam::write_file(arguments.dump, synthetic::world_text(world));
+  fmt::print("{}: {} shapes, path of {:.1f} s\n", arguments.dump, world.scene.primitives.size(),
+             world.path.duration());
+  return kDone;
+}
+
 int synth(SynthArguments arguments, bool frames_given) {
   arguments.sequence.sensor = sensor_options(arguments);
   if (arguments.dump_config) {
     fmt::print("{}", options_to_yaml(describe_sensor(arguments.sequence.sensor), true));
     return kDone;
   }
+  parse_path(arguments.path, arguments.sequence);
+  if (!arguments.dump.empty()) return dump_world(arguments);
   if (arguments.folder.empty()) {
-    throw OptionError("no output folder given: name the scene and the folder to write to");
+    throw OptionError("synth: say where to write the sequence, or give --dump-world <file>");
   }
   parse_size(arguments.size, arguments.sequence);
   if (arguments.image == "jpeg") arguments.sequence.image = synthetic::ImageFormat::kJpeg;
@@ -98,11 +126,21 @@ void add_synth_command(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("synth", "Make a synthetic sequence (TUM layout) with exact ground truth");
   const std::string scenes = fmt::format("{}", fmt::join(synthetic::world_names(), ", "));
-  command->add_option("scene", arguments->sequence.scene, "The world to record: " + scenes);
+  command->add_option(
+      "scene", arguments->sequence.scene,
+      "The world to record: a file (*.yaml, see docs/worlds.md) or one of " + scenes);
   command->add_option("folder", arguments->folder, "Where to write the sequence");
-  const auto* frames = command->add_option(
-      "--frames", arguments->frames,
-      "Only the first n frames at the same speed (default: one closed round, 301 frames)");
+  command->add_option("--dump-world", arguments->dump,
+                      "Write the world as a file to this place, and record nothing");
+  command->add_option("--path", arguments->path, "How the camera moves; own = as the world says")
+      ->check(CLI::IsMember(path_words()))
+      ->capture_default_str();
+  command->add_option("--speed", arguments->sequence.speed, "2 = the same way in half the time")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  const auto* frames =
+      command->add_option("--frames", arguments->frames,
+                          "Only the first n frames at the same speed (default: the whole path)");
   command
       ->add_option(
           "--seed", arguments->sequence.seed,

@@ -41,7 +41,7 @@ struct FramePair {
 
 const FramePair& frames() {
   static const FramePair pair = [] {
-    const auto world = synthetic::make_world("room", 1);
+    const auto world = synthetic::make_world("room");
     return FramePair{render_frame(world, 0), render_frame(world, kFramePeriod)};
   }();
   return pair;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kStep = 0.7;  // [s]
 
 void render_frames(benchmark::State& state) {
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   const Camera camera = synthetic_camera(640, 480);
   double seconds = 0;
   for ([[maybe_unused]] auto iteration : state) {
@@ -27,7 +27,7 @@ void render_frames(benchmark::State& state) {
 BENCHMARK(render_frames)->Unit(benchmark::kMillisecond)->Iterations(15);
 
 void capture_frames(benchmark::State& state, const SensorOptions& options) {
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   const Sensor sensor(
       world.scene, [&](double seconds) { return world.path.T_world_camera(seconds); },
       world.path.duration(), synthetic_camera(640, 480), options, 1);

@@ -23,31 +23,45 @@ struct Tremor {
   std::uint32_t seed = 0;
 };
 
-/// A smooth closed path of a camera: uniform cubic B-splines through the neighbourhood of the
-/// viewpoints, for the position and for the target, plus tremor. Position and orientation are
-/// continuous to the second derivative, and so at the seam of the loop.
+/// The plan of a camera's way.
+struct PathPlan {
+  std::vector<Viewpoint> viewpoints = {};  ///< at equal distances in time
+  double duration = 10;                    ///< of one round, or of the way from end to end [s]
+  bool closed = true;                      ///< after the last viewpoint comes the first again
+  Tremor tremor = {};
+  double speed = 1;  ///< 2 = everything happens twice as fast, in half the duration
+};
+
+/// A smooth path of a camera: uniform cubic B-splines through the neighbourhood of the viewpoints,
+/// for the position and for the target, plus tremor. Position and orientation are continuous to the
+/// second derivative, and so at the seam of a closed path. An open one starts and ends at rest
+/// exactly at its first and last viewpoint (tremor aside).
 class CameraPath {
  public:
-  /// `duration` of one round [s]. Throws OptionError with fewer than four viewpoints (the order of
-  /// the spline) or a duration that is not positive.
-  CameraPath(std::vector<Viewpoint> viewpoints, double duration, const Tremor& tremor);
+  /// Throws OptionError with fewer than four viewpoints (the order of the spline), with one that
+  /// has its target above, below or at its position, or with a duration or speed that is not
+  /// positive.
+  explicit CameraPath(PathPlan plan);
 
-  [[nodiscard]] double duration() const { return duration_; }
-  /// The exact pose; beyond one round the path repeats.
+  /// Of one round, or from end to end, at the plan's speed [s].
+  [[nodiscard]] double duration() const { return plan_.duration / plan_.speed; }
+  /// The exact pose. After its duration a closed path repeats, and an open one stays.
   [[nodiscard]] SE3 T_world_camera(double seconds) const;
+  [[nodiscard]] const PathPlan& plan() const { return plan_; }
 
  private:
   struct Wave {
-    double rounds;     ///< whole periods in a duration, so that the loop closes
+    double rounds;     ///< whole periods in a duration, so that a loop closes
     double amplitude;  ///< [m] or [rad]
     double phase;      ///< [rad]
   };
 
-  [[nodiscard]] Viewpoint viewpoint(double seconds) const;
-  [[nodiscard]] Vector6 tremor(double seconds) const;
+  [[nodiscard]] Viewpoint viewpoint(double share) const;
+  [[nodiscard]] Vector6 tremor(double share) const;
 
-  std::vector<Viewpoint> viewpoints_;
-  double duration_;
+  PathPlan plan_;
+  std::vector<Viewpoint>
+      controls_;  // of the spline; the first of a closed one stand again at the end
   std::array<std::array<Wave, 4>, 6> waves_{};  // of [translation; rotation]
 };
 

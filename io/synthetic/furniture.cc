@@ -23,16 +23,25 @@ Wall::Wall(SceneBuilder& builder, const Vector3& foot, const Vector3& forward)
       out_(-forward),
       yaw_(std::atan2(right_.y(), right_.x())) {}
 
-void Wall::box(const Vector3& at, const Vector3& size, const Texture& texture) const {
-  const Vector3 bottom =
-      foot_ + at.x() * right_ + (at.y() + 0.5 * size.y()) * out_ + at.z() * Vector3::UnitZ();
-  builder_.box(bottom, size, texture, yaw_);
+Vector3 Wall::in_world(const Vector3& at) const {
+  return foot_ + at.x() * right_ + at.y() * out_ + at.z() * Vector3::UnitZ();
+}
+
+void Wall::box(const Vector3& at, const Vector3& size, const Texture& texture, double turn) const {
+  builder_.box(in_world(at + Vector3(0, 0.5 * size.y(), 0)), size, texture, yaw_ + turn);
+}
+
+void Wall::cylinder(const Vector3& at, double diameter, double height,
+                    const Texture& texture) const {
+  builder_.cylinder(in_world(at), diameter, height, texture);
+}
+
+void Wall::sphere(const Vector3& center, double diameter, const Texture& texture) const {
+  builder_.sphere(in_world(center), diameter, texture);
 }
 
 void Wall::sheet(const Vector3& center, double width, double height, const Texture& texture) const {
-  const Vector3 position =
-      foot_ + center.x() * right_ + center.y() * out_ + center.z() * Vector3::UnitZ();
-  builder_.sheet(position, -out_, width, height, texture);
+  builder_.sheet(in_world(center), -out_, width, height, texture);
 }
 
 void Wall::page(const Vector3& at, double width, double height) const {

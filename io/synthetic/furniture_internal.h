@@ -14,7 +14,11 @@ class Wall {
   Wall(SceneBuilder& builder, const Vector3& foot, const Vector3& forward);
 
   /// A box with the centre of its back face's lower edge at (x, y, z); size = width, depth, height.
-  void box(const Vector3& at, const Vector3& size, const Texture& texture) const;
+  /// `turn` about its own vertical axis [rad].
+  void box(const Vector3& at, const Vector3& size, const Texture& texture, double turn = 0) const;
+  /// A column with the centre of its foot at (x, y, z).
+  void cylinder(const Vector3& at, double diameter, double height, const Texture& texture) const;
+  void sphere(const Vector3& center, double diameter, const Texture& texture) const;
   /// A sheet on or in front of the wall, centred at (x, y, z).
   void sheet(const Vector3& center, double width, double height, const Texture& texture) const;
   /// A sheet of paper that lies at (x, y, z).
@@ -28,11 +32,16 @@ class Wall {
   void bed(double x, double width) const;
   void sofa(double x, double width) const;
   void cabinet(double x, double width, double height) const;
+  [[nodiscard]] Random& random() const { return builder_.random(); }
+
   void window(double x, double width, double bottom, double height) const;
   void door(double x) const;
 
- private:
+  /// A screen on a foot, its back's foot at (x, y, z).
   void screen(const Vector3& at) const;
+
+ private:
+  [[nodiscard]] Vector3 in_world(const Vector3& at) const;
 
   SceneBuilder& builder_;
   Vector3 foot_;

@@ -58,6 +58,50 @@ inline Texture poster() {
 inline Texture view() {
   return {Pattern::kLandscape, {0.42, 0.62, 0.90}, {0.24, 0.38, 0.16}, 0.1, 0.1};
 }
+inline Texture carpet_tiles() {
+  return {Pattern::kTiles, {0.34, 0.36, 0.40}, {0.30, 0.32, 0.37}, 0.50, 0.75};
+}
+inline Texture ceiling_tiles() {
+  return {Pattern::kTiles, {0.80, 0.80, 0.78}, {0.78, 0.78, 0.77}, 0.60, 0.35};
+}
+inline Texture kitchen_tiles() {
+  return {Pattern::kTiles, {0.80, 0.84, 0.84}, {0.62, 0.72, 0.76}, 0.15, 0.2};
+}
+inline Texture handwriting() {
+  return {Pattern::kText, {0.93, 0.94, 0.94}, {0.12, 0.16, 0.45}, 0.055, 0.03};
+}
+inline Texture white_board() {
+  return {Pattern::kPlaster, {0.93, 0.94, 0.94}, {0.5, 0.5, 0.5}, 0.1, 0.03};
+}
+inline Texture rough_paint() {
+  return {Pattern::kPlaster, {0.80, 0.79, 0.75}, {0.5, 0.5, 0.5}, 0.03, 0.12};
+}
+inline Texture carton() {
+  return {Pattern::kText, {0.68, 0.53, 0.37}, {0.55, 0.41, 0.27}, 0.09, 0.25};
+}
+inline Texture document() {
+  return {Pattern::kText, {0.88, 0.88, 0.86}, {0.32, 0.32, 0.35}, 0.014, 0.06};
+}
+inline Texture keys() {
+  return {Pattern::kTiles, {0.24, 0.24, 0.25}, {0.21, 0.21, 0.22}, 0.019, 0.2};
+}
+inline Texture beech() {
+  return {Pattern::kWood, {0.84, 0.72, 0.54}, {0.66, 0.52, 0.36}, 0.45, 0.25};
+}
+inline Texture leaves() {
+  return {Pattern::kPlaster, {0.16, 0.38, 0.13}, {0.1, 0.2, 0.1}, 0.1, 0.95};
+}
+inline Texture ceramic() {
+  return {Pattern::kPlaster, {0.85, 0.85, 0.82}, {0.2, 0.2, 0.2}, 0.05, 0.15};
+}
+inline Texture lamp() { return {Pattern::kPlaster, {1.0, 1.0, 0.97}, {1, 1, 1}, 0.1, 0.02}; }
+inline Texture posters() {
+  return {Pattern::kCollage, {0.94, 0.93, 0.90}, {0.12, 0.10, 0.16}, 0.45, 0.35};
+}
+/// A painted wall whose residual contrast is two grey levels of 255 under the worlds' light.
+inline Texture plain() {
+  return {Pattern::kPlaster, {0.66, 0.66, 0.64}, {0.5, 0.5, 0.5}, 0.1, 0.021};
+}
 /// The same board standing upright.
 inline Texture upright(Texture texture) {
   texture.quarter_turn = true;

@@ -11,7 +11,8 @@ inline Color mix(const Color& a, const Color& b, double share) { return a + shar
 /// The wider side of the footprint [m].
 [[nodiscard]] double footprint(const SurfacePoint& p);
 
-/// A brightness factor about 1 from irregularities at all scales from 0.3 m down to 1 cm.
+/// A brightness factor about 1 from irregularities at all scales from 0.3 m (of plaster: as its
+/// scale says) down to a 32nd of it.
 [[nodiscard]] double mottle(const Texture& texture, const SurfacePoint& p);
 
 /// Share of ink in [0, 1] on a page of text-like strokes with lines `line` [m] apart.
@@ -28,5 +29,6 @@ inline Color mix(const Color& a, const Color& b, double share) { return a + shar
 [[nodiscard]] Color poster(const Texture& texture, const SurfacePoint& p);
 [[nodiscard]] Color spine(const Texture& texture, const SurfacePoint& p);
 [[nodiscard]] Color landscape(const Texture& texture, const SurfacePoint& p);
+[[nodiscard]] Color collage(const Texture& texture, const SurfacePoint& p);
 
 }  // namespace cvo_slam::synthetic

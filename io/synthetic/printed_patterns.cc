@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "cvo_slam/io/synthetic/box_filter_internal.h"
 #include "cvo_slam/io/synthetic/patterns_internal.h"
@@ -138,6 +139,48 @@ Color poster(const Texture& texture, const SurfacePoint& p) {
     color = mix(color, texture.accent, share * ink(texture.seed, lines.size_v / 3, lines));
   }
   return color;
+}
+
+namespace {
+
+/// A plane of posters, with the accuracy that poster() has.
+Color collage_sample(const Texture& texture, const SurfacePoint& p) {
+  constexpr double kGap = 0.06;  // between posters, in their width
+  const double width = (1 + kGap) * texture.scale;
+  const double height = (std::numbers::sqrt2 + kGap) * texture.scale;
+  const double column = std::floor(p.u / width);
+  const auto i = static_cast<std::int32_t>(column);
+  const double v = p.v + height * hash_unit(texture.seed, i);  // columns hang at different heights
+  const double row = std::floor(v / height);
+  SurfacePoint sheet = p;
+  sheet.u -= width * column + 0.5 * kGap * texture.scale;
+  sheet.v = v - height * row - 0.5 * kGap * texture.scale;
+  sheet.size_u = texture.scale;
+  sheet.size_v = std::numbers::sqrt2 * texture.scale;
+  const Color wall = Color::Constant(0.45);
+  const double share = inside(sheet);
+  if (share == 0) return wall;
+  Texture print = texture;
+  print.seed = hash(texture.seed + 1, i, static_cast<std::int32_t>(row));
+  return mix(wall, poster(print, sheet), share);
+}
+
+}  // namespace
+
+Color collage(const Texture& texture, const SurfacePoint& p) {
+  // Pixels are larger on these posters than on one that fills its wall: four samples a pixel.
+  SurfacePoint quarter = p;
+  quarter.footprint_u = 0.5 * p.footprint_u;
+  quarter.footprint_v = 0.5 * p.footprint_v;
+  Color sum = Color::Zero();
+  for (const double du : {-0.25, 0.25}) {
+    for (const double dv : {-0.25, 0.25}) {
+      quarter.u = p.u + du * p.footprint_u;
+      quarter.v = p.v + dv * p.footprint_v;
+      sum += 0.25 * collage_sample(texture, quarter);
+    }
+  }
+  return sum;
 }
 
 Color spine(const Texture& texture, const SurfacePoint& p) {

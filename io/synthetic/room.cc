@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "cvo_slam/io/synthetic/built_in_worlds_internal.h"
 #include "cvo_slam/io/synthetic/furniture_internal.h"
 #include "cvo_slam/io/synthetic/materials_internal.h"
-#include "cvo_slam/io/synthetic/room_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {
@@ -70,8 +70,6 @@ void furnish_west(SceneBuilder& builder) {
   wall.box({1.5, 0, 0}, {0.45, 0.4, 0.5}, materials::cardboard());
 }
 
-}  // namespace
-
 Scene room_scene(std::uint32_t seed) {
   SceneBuilder builder(seed);
   add_shell(builder);
@@ -86,7 +84,7 @@ Scene room_scene(std::uint32_t seed) {
   return builder.scene();
 }
 
-CameraPath room_path(std::uint32_t seed) {
+PathPlan room_plan(std::uint32_t seed) {
   constexpr int kViewpoints = 14;
   constexpr double kDuration = 10;  // [s]
   std::vector<Viewpoint> viewpoints;
@@ -99,7 +97,15 @@ CameraPath room_path(std::uint32_t seed) {
                          0.8 + 0.25 * std::cos(3 * angle));
     viewpoints.push_back({position, target});
   }
-  return {viewpoints, kDuration, Tremor{.seed = seed}};
+  return {.viewpoints = viewpoints, .duration = kDuration, .tremor = {.seed = seed}};
+}
+
+}  // namespace
+
+World room_world(std::uint32_t seed) {
+  // From the middle towards the desk.
+  const Anchor anchor{.view = {{0.1, -0.1, 1.35}, {0.3, kNorth, 0.85}}};
+  return {room_scene(seed), CameraPath(room_plan(seed)), anchor};
 }
 
 }  // namespace cvo_slam::synthetic

@@ -15,20 +15,14 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-/// Distance to the shape's bounding box, which for boxes and rectangles is the shape itself.
-double distance(const Primitive& primitive, const Vector3& point) {
-  const Vector3 local = primitive.T_world_shape.inverse() * point;
-  const Vector3 half =
-      std::visit([](const auto& shape) { return half_extent(shape); }, primitive.shape);
-  return (local.cwiseAbs() - half).cwiseMax(0).norm();
-}
+bool is_size(double length) { return std::isfinite(length) && length > 0; }
 
 bool is_positive(const Box& box) { return box.size.allFinite() && (box.size.array() > 0).all(); }
-
-bool is_positive(const Rectangle& rectangle) {
-  return std::isfinite(rectangle.width) && std::isfinite(rectangle.height) && rectangle.width > 0 &&
-         rectangle.height > 0;
+bool is_positive(const Rectangle& sheet) { return is_size(sheet.width) && is_size(sheet.height); }
+bool is_positive(const Cylinder& cylinder) {
+  return is_size(cylinder.diameter) && is_size(cylinder.height);
 }
+bool is_positive(const Sphere& sphere) { return is_size(sphere.diameter); }
 
 void check(const Primitive& primitive, std::size_t index) {
   if (!std::visit([](const auto& shape) { return is_positive(shape); }, primitive.shape)) {
@@ -65,12 +59,21 @@ Scene scene_at(const Scene& scene, double seconds) {
   return snapshot;
 }
 
-double clearance(const Scene& scene, const Vector3& point) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& primitive : scene.primitives) {
-    nearest = std::min(nearest, distance(primitive, point));
+Nearest nearest(const Scene& scene, const Vector3& point) {
+  Nearest result{0, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+    const SE3& T_world_shape = scene.primitives[i].T_world_shape;
+    const Vector3 local =
+        T_world_shape.rotation().transpose() * (point - T_world_shape.translation());
+    const double away = std::visit([&](const auto& shape) { return distance(shape, local); },
+                                   scene.primitives[i].shape);
+    if (away < result.distance) result = {i, away};
   }
-  return nearest;
+  return result;
+}
+
+double clearance(const Scene& scene, const Vector3& point) {
+  return nearest(scene, point).distance;
 }
 
 void check(const Scene& scene) {

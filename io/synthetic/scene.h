@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -25,8 +26,20 @@ struct Rectangle {
   double height = 1;  ///< [m]
 };
 
-/// New shapes are added here, and to the functions of shape_internal.h.
-using Shape = std::variant<Box, Rectangle>;
+/// A solid round column centred at the origin of its frame, upright along z. The texture of its
+/// side runs once around, upright from outside; its ends are textured like a box's.
+struct Cylinder {
+  double diameter = 1;  ///< [m]
+  double height = 1;    ///< [m]
+};
+
+/// A ball centred at the origin of its frame, textured along meridians and parallels of z.
+struct Sphere {
+  double diameter = 1;  ///< [m]
+};
+
+/// New shapes are added here, to the functions of shape_internal.h and to world_file.cc.
+using Shape = std::variant<Box, Rectangle, Cylinder, Sphere>;
 
 /// To and fro about the place of rest: the position differs from it by
 /// amplitude * sin(2 pi (t / period + phase)).
@@ -60,7 +73,14 @@ struct Scene {
 /// The scene at one instant: what moves is put where it is then, and rests there.
 [[nodiscard]] Scene scene_at(const Scene& scene, double seconds);
 
-/// Distance from a point to the nearest surface, 0 inside a box [m]; infinite in an empty scene.
+/// The surface nearest to a point.
+struct Nearest {
+  std::size_t primitive = 0;
+  double distance = 0;  ///< 0 inside a solid, infinite in an empty scene [m]
+};
+[[nodiscard]] Nearest nearest(const Scene& scene, const Vector3& point);
+
+/// Distance from a point to the nearest surface, 0 inside a solid [m]; infinite in an empty scene.
 [[nodiscard]] double clearance(const Scene& scene, const Vector3& point);
 
 /// Throws OptionError where a size is not positive, or a number not finite; names the primitive.

@@ -18,16 +18,31 @@ Matrix3 facing(const Vector3& forward) {
   return R;
 }
 
-void SceneBuilder::box(const Vector3& bottom, const Vector3& size, Texture texture, double yaw) {
-  texture.seed = random_.bits();
+void SceneBuilder::add(const Shape& shape, const SE3& T_world_shape, Texture texture) {
+  const std::uint32_t drawn = random_.bits();
+  if (texture.seed == 0) texture.seed = drawn;
+  scene_.primitives.push_back({shape, T_world_shape, texture});
+}
+
+void SceneBuilder::box(const Vector3& bottom, const Vector3& size, const Texture& texture,
+                       double yaw) {
   const Vector3 center = bottom + Vector3(0, 0, 0.5 * size.z());
-  scene_.primitives.push_back({Box{size}, SE3(so3_exp({0, 0, yaw}), center), texture});
+  add(Box{size}, SE3(so3_exp({0, 0, yaw}), center), texture);
+}
+
+void SceneBuilder::cylinder(const Vector3& bottom, double diameter, double height,
+                            const Texture& texture) {
+  const Vector3 center = bottom + Vector3(0, 0, 0.5 * height);
+  add(Cylinder{diameter, height}, SE3(Matrix3::Identity(), center), texture);
+}
+
+void SceneBuilder::sphere(const Vector3& center, double diameter, const Texture& texture) {
+  add(Sphere{diameter}, SE3(Matrix3::Identity(), center), texture);
 }
 
 void SceneBuilder::sheet(const Vector3& center, const Vector3& forward, double width, double height,
-                         Texture texture) {
-  texture.seed = random_.bits();
-  scene_.primitives.push_back({Rectangle{width, height}, SE3(facing(forward), center), texture});
+                         const Texture& texture) {
+  add(Rectangle{width, height}, SE3(facing(forward), center), texture);
 }
 
 }  // namespace cvo_slam::synthetic

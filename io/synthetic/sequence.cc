@@ -87,17 +87,28 @@ std::string settings_text(SensorOptions sensor) {
   return text;
 }
 
+std::string path_name(const SequenceOptions& options) {
+  for (const auto& [name, style] : path_style_names()) {
+    if (options.path == style) return name;
+  }
+  return "own";
+}
+
 std::string marker_text(const SequenceOptions& options, std::size_t frames) {
   const char* image = format_name(options.image);
   SensorOptions sensor = options.sensor;
   return fmt::format(
              "# Made by cvo_slam synth, which may replace this sequence when asked to write here "
-             "again.\n# To make it again: cvo_slam synth {} <folder> --seed {} --frames {} --size "
-             "{}x{} --image {}{}\n",
-             options.scene, options.seed, frames, options.width, options.height, image,
-             settings_text(sensor)) +
-         fmt::format("scene: {}\nseed: {}\nframes: {}\nwidth: {}\nheight: {}\nimage: {}\n",
-                     options.scene, options.seed, frames, options.width, options.height, image) +
+             "again.\n# To make it again: cvo_slam synth {} <folder> --seed {} --path {} --speed "
+             "{} "
+             "--frames {} --size {}x{} --image {}{}\n",
+             options.scene, options.seed, path_name(options), options.speed, frames, options.width,
+             options.height, image, settings_text(sensor)) +
+         fmt::format(
+             "scene: {}\nseed: {}\npath: {}\nspeed: {}\nframes: {}\nwidth: {}\nheight: {}\n"
+             "image: {}\n",
+             options.scene, options.seed, path_name(options), options.speed, frames, options.width,
+             options.height, image) +
          options_to_yaml(OptionSet().add("sensor", describe(sensor)));
 }
 
@@ -105,7 +116,8 @@ std::string marker_text(const SequenceOptions& options, std::size_t frames) {
 class Recorder {
  public:
   Recorder(const std::filesystem::path& folder, const SequenceOptions& options)
-      : Recorder(folder, options, make_world(options.scene, options.seed)) {}
+      : Recorder(folder, options,
+                 make_world(options.scene, {options.seed, options.path, options.speed})) {}
 
   [[nodiscard]] std::size_t frames() const { return frames_.size(); }
 

@@ -11,6 +11,7 @@
 
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/io/synthetic/sensor_options.h"
+#include "cvo_slam/io/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 
@@ -18,9 +19,11 @@ enum class ImageFormat { kPng, kJpeg };
 
 /// What to record of a world.
 struct SequenceOptions {
-  std::string scene = "room";         ///< one of world_names()
-  std::uint32_t seed = 1;             ///< of textures, clutter, tremor, and of the sensor
-  std::optional<std::size_t> frames;  ///< the first so many at 30 Hz; empty = one closed round
+  std::string scene = "room";  ///< one of world_names(), or a world file (*.yaml)
+  std::uint32_t seed = 1;      ///< of textures, clutter, tremor, and of the sensor
+  std::optional<PathStyle> path = std::nullopt;  ///< empty = the world's own
+  double speed = 1;                              ///< 2 = the same way in half the time
+  std::optional<std::size_t> frames;  ///< the first so many at 30 Hz; empty = the whole path
   int width = 640;                    ///< [px] in [16, 4096]
   int height = 480;                   ///< [px] in [16, 4096]
   /// Of the colour images. PNG by default: without loss, so that colour is as exact as the poses;

@@ -88,4 +88,12 @@ Vector3 half_extent(const Rectangle& rectangle) {
   return {0.5 * rectangle.width, 0.5 * rectangle.height, 0};
 }
 
+double distance(const Box& box, const Vector3& point) {
+  return (point.cwiseAbs() - half_extent(box)).cwiseMax(0).norm();
+}
+
+double distance(const Rectangle& rectangle, const Vector3& point) {
+  return (point.cwiseAbs() - half_extent(rectangle)).cwiseMax(0).norm();
+}
+
 }  // namespace cvo_slam::synthetic

@@ -33,12 +33,24 @@ struct Surface {
 /// The nearest meeting at a positive distance.
 [[nodiscard]] std::optional<Hit> intersect(const Box& box, const Ray& ray);
 [[nodiscard]] std::optional<Hit> intersect(const Rectangle& rectangle, const Ray& ray);
+[[nodiscard]] std::optional<Hit> intersect(const Cylinder& cylinder, const Ray& ray);
+[[nodiscard]] std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray);
 
 [[nodiscard]] Surface surface_at(const Box& box, int face, const Vector3& point);
 [[nodiscard]] Surface surface_at(const Rectangle& rectangle, int face, const Vector3& point);
+[[nodiscard]] Surface surface_at(const Cylinder& cylinder, int face, const Vector3& point);
+[[nodiscard]] Surface surface_at(const Sphere& sphere, int face, const Vector3& point);
 
 /// Half extents of the axis-aligned bounding box around the origin [m].
 [[nodiscard]] Vector3 half_extent(const Box& box);
 [[nodiscard]] Vector3 half_extent(const Rectangle& rectangle);
+[[nodiscard]] Vector3 half_extent(const Cylinder& cylinder);
+[[nodiscard]] Vector3 half_extent(const Sphere& sphere);
+
+/// Distance of a point in the shape's frame to its surface, 0 inside a solid [m].
+[[nodiscard]] double distance(const Box& box, const Vector3& point);
+[[nodiscard]] double distance(const Rectangle& rectangle, const Vector3& point);
+[[nodiscard]] double distance(const Cylinder& cylinder, const Vector3& point);
+[[nodiscard]] double distance(const Sphere& sphere, const Vector3& point);
 
 }  // namespace cvo_slam::synthetic

@@ -39,6 +39,8 @@ Color pattern_color(const Texture& texture, const SurfacePoint& p) {
       return spine(texture, p);
     case Pattern::kLandscape:
       return landscape(texture, p);
+    case Pattern::kCollage:
+      return collage(texture, p);
   }
   return texture.base;
 }
@@ -48,8 +50,10 @@ Color pattern_color(const Texture& texture, const SurfacePoint& p) {
 double footprint(const SurfacePoint& p) { return std::max(p.footprint_u, p.footprint_v); }
 
 double mottle(const Texture& texture, const SurfacePoint& p) {
-  constexpr Octaves kIrregularities{.largest = 0.3, .count = 6, .persistence = 0.75};
-  return 1 + texture.contrast * value_noise(texture.seed, p.u, p.v, footprint(p), kIrregularities);
+  // Plaster has no unit but its largest blotches, which are three times its scale.
+  const double largest = texture.pattern == Pattern::kPlaster ? 3 * texture.scale : 0.3;  // [m]
+  const Octaves irregularities{.largest = largest, .count = 6, .persistence = 0.75};
+  return 1 + texture.contrast * value_noise(texture.seed, p.u, p.v, footprint(p), irregularities);
 }
 
 Color sample(const Texture& texture, const SurfacePoint& point) {

@@ -14,7 +14,7 @@ using Color = Eigen::Array3d;
 
 /// What a surface looks like. All patterns are procedural and repeat nowhere.
 enum class Pattern {
-  kPlaster,    ///< blotches and grain
+  kPlaster,    ///< blotches of up to three times the scale, and grain
   kWood,       ///< planks along u with rings and grain
   kBricks,     ///< courses of bricks in mortar
   kTiles,      ///< checker of base and accent with joints
@@ -25,6 +25,7 @@ enum class Pattern {
   kPoster,     ///< picture, title and text in a white margin
   kSpine,      ///< back of a book
   kLandscape,  ///< hills under clouds: what a window shows
+  kCollage,    ///< a plane full of posters, each `scale` wide
 };
 
 /// A procedural texture; a value that a scene file can describe.

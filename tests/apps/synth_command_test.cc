@@ -98,7 +98,7 @@ TEST(SynthCommand, BadArgumentsAreNamed) {
   EXPECT_FALSE(fs::exists(folder.path() / "out"));
   const auto no_folder = run_program({"synth", "room"});
   EXPECT_EQ(no_folder.exit_code, 2);
-  EXPECT_THAT(no_folder.errors, HasSubstr("no output folder given"));
+  EXPECT_THAT(no_folder.errors, HasSubstr("say where to write the sequence"));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class SyntheticFrames {
 
  private:
   Camera camera_;
-  synthetic::World world_ = synthetic::make_world("room", 1);
+  synthetic::World world_ = synthetic::make_world("room");
 };
 
 }  // namespace cvo_slam

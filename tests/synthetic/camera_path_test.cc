@@ -19,6 +19,10 @@ const std::vector<Viewpoint> kSquare = {{{1, 0, 1}, {3, 0, 1}},
                                         {{-1, 0, 1}, {-3, 0, 1}},
                                         {{0, -1, 0.8}, {0, -3, 1}}};
 
+CameraPath square(double duration, std::uint32_t seed) {
+  return CameraPath({.viewpoints = kSquare, .duration = duration, .tremor = {.seed = seed}});
+}
+
 TEST(LookAt, PutsTheTargetOnTheOpticalAxisAndTheSkyUp) {
   const Vector3 position(1, 2, 1.5);
   const Vector3 target(-2, 0.5, 0.7);
@@ -32,7 +36,7 @@ TEST(LookAt, PutsTheTargetOnTheOpticalAxisAndTheSkyUp) {
 }
 
 TEST(CameraPath, ClosesItsLoopToTheLastBitOfRounding) {
-  const CameraPath path(kSquare, 7.5, Tremor{.seed = 4});
+  const CameraPath path = square(7.5, 4);
   for (const double t : {0.0, 1.3, 7.4}) {
     const SE3 difference = path.T_world_camera(t).inverse() * path.T_world_camera(t + 7.5);
     EXPECT_LT(difference.log().norm(), 1e-12) << t;
@@ -47,7 +51,7 @@ TEST(CameraPath, HasNoJumpInItsAcceleration) {
   // 8 * 1.5 / 1.5^3 = 3.6 m/s^3 here; the tremor adds sum over waves of amplitude * omega^3, below
   // 3 axes * 4 waves * 0.003 / f^2 * (2 pi f)^3 < 36 m/s^3. Targets turn about twice as fast.
   constexpr double kBound = 60;
-  const CameraPath path(kSquare, 6.0, Tremor{.seed = 2});
+  const CameraPath path = square(6.0, 2);
   for (int i = 0; i < 6100; ++i) {  // beyond the seam at 6 s
     std::array<SE3, 4> pose;
     for (int k = 0; k < 4; ++k) {
@@ -64,17 +68,18 @@ TEST(CameraPath, HasNoJumpInItsAcceleration) {
 }
 
 TEST(CameraPath, TremorDependsOnTheSeed) {
-  const CameraPath one(kSquare, 6.0, Tremor{.seed = 1});
-  const CameraPath same(kSquare, 6.0, Tremor{.seed = 1});
-  const CameraPath other(kSquare, 6.0, Tremor{.seed = 2});
+  const CameraPath one = square(6.0, 1);
+  const CameraPath same = square(6.0, 1);
+  const CameraPath other = square(6.0, 2);
   EXPECT_EQ(one.T_world_camera(1).matrix(), same.T_world_camera(1).matrix());
   EXPECT_NE(one.T_world_camera(1).matrix(), other.T_world_camera(1).matrix());
 }
 
 TEST(CameraPath, RefusesTooFewViewpointsAndNoDuration) {
-  EXPECT_THROW(CameraPath({kSquare[0], kSquare[1], kSquare[2]}, 5, {}), OptionError);
-  EXPECT_THROW(CameraPath(kSquare, 0, {}), OptionError);
-  EXPECT_THROW(CameraPath(kSquare, std::nan(""), {}), OptionError);
+  EXPECT_THROW(CameraPath({.viewpoints = {kSquare[0], kSquare[1], kSquare[2]}}), OptionError);
+  EXPECT_THROW(square(0, 1), OptionError);
+  EXPECT_THROW(square(std::nan(""), 1), OptionError);
+  EXPECT_THROW(CameraPath({.viewpoints = kSquare, .speed = -1}), OptionError);
 }
 
 }  // namespace

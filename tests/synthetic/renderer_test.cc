@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 namespace {
@@ -80,72 +78,6 @@ TEST(Render, RefusesACameraWithDistortion) {
   PinholeCamera camera = kCamera;
   camera.distortion[0] = 0.1;
   EXPECT_THROW(static_cast<void>(render(Scene{}, camera, {})), OptionError);
-}
-
-struct Reprojection {
-  std::size_t compared = 0;
-  std::size_t occluded = 0;
-  std::vector<double> depth_errors;  // relative
-  std::vector<double> color_errors;  // grey levels
-};
-
-/// Points of frame a moved to frame b and compared with what b shows there.
-Reprojection reproject(const Rendering& a, const Rendering& b, const SE3& T_b_a) {
-  Reprojection result;
-  for (int y = 0; y < kCamera.height; ++y) {
-    for (int x = 0; x < kCamera.width; ++x) {
-      const Vector3 point = T_b_a * (a.depth.at<double>(y, x) * kCamera.unproject({x, y}));
-      if (point.z() < 0.1) continue;
-      const Eigen::Vector2d pixel = kCamera.project(point);
-      const int u = static_cast<int>(std::lround(pixel.x()));
-      const int v = static_cast<int>(std::lround(pixel.y()));
-      if (u < 1 || v < 1 || u >= kCamera.width - 1 || v >= kCamera.height - 1) continue;
-      ++result.compared;
-      // The point lies between four pixels' depths where no rim runs through them.
-      double low = b.depth.at<double>(v, u);
-      double high = low;
-      for (int dv = -1; dv <= 1; ++dv) {
-        for (int du = -1; du <= 1; ++du) {
-          low = std::min(low, b.depth.at<double>(v + dv, u + du));
-          high = std::max(high, b.depth.at<double>(v + dv, u + du));
-        }
-      }
-      if (point.z() > 1.01 * high) {
-        ++result.occluded;
-        continue;
-      }
-      const double outside = std::max({0.0, low - point.z(), point.z() - high});
-      result.depth_errors.push_back(outside / point.z());
-      const cv::Vec3f difference = a.color.at<cv::Vec3f>(y, x) - b.color.at<cv::Vec3f>(v, u);
-      result.color_errors.push_back(std::abs(difference[1]));
-    }
-  }
-  return result;
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto position = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + position, values.end());
-  return values[static_cast<std::size_t>(position)];
-}
-
-TEST(Render, FramesOfTheRoomReprojectIntoEachOther) {
-  const World world = make_world("room", 1);
-  for (const double start : {0.0, 2.5, 5.0, 7.5}) {
-    const SE3 T_world_a = world.path.T_world_camera(start);
-    const SE3 T_world_b = world.path.T_world_camera(start + 0.3);
-    const auto result =
-        reproject(render(world.scene, kCamera, T_world_a), render(world.scene, kCamera, T_world_b),
-                  T_world_b.inverse() * T_world_a);
-    // 0.3 s turn the camera by about 10 of its 63 degrees.
-    ASSERT_GT(result.compared, static_cast<std::size_t>(160 * 120 / 2)) << start;
-    EXPECT_LT(result.occluded, result.compared / 20) << start;
-    // Between neighbouring pixels' depths on every smooth surface; the rest sits at rims.
-    EXPECT_LT(quantile(result.depth_errors, 0.97), 1e-4) << start;
-    // Lambert: colour stays. A rounding to the nearest pixel costs half a pixel of gradient: the
-    // median gradient of these coarse images is about 4 grey levels a pixel.
-    EXPECT_LT(quantile(result.color_errors, 0.5), 4) << start;
-  }
 }
 
 }  // namespace

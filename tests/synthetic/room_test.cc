@@ -18,7 +18,7 @@ namespace {
 
 TEST(World, AnUnknownNameGetsTheNearestKnownOne) {
   try {
-    static_cast<void>(make_world("roon", 1));
+    static_cast<void>(make_world("roon"));
     FAIL() << "no exception";
   } catch (const OptionError& error) {
     EXPECT_STREQ(error.what(), "scene 'roon' is unknown; did you mean 'room'?");
@@ -26,7 +26,7 @@ TEST(World, AnUnknownNameGetsTheNearestKnownOne) {
 }
 
 TEST(World, AllBuiltInScenesAreValid) {
-  for (const auto& name : world_names()) EXPECT_NO_THROW(check(make_world(name, 1).scene)) << name;
+  for (const auto& name : world_names()) EXPECT_NO_THROW(check(make_world(name).scene)) << name;
 }
 
 TEST(Scene, ClearanceIsTheDistanceToTheNearestSurface) {
@@ -52,7 +52,7 @@ TEST(Scene, ImpossibleValuesAreRefused) {
 
 class Room : public ::testing::TestWithParam<std::uint32_t> {
  protected:
-  const World world_ = make_world("room", GetParam());
+  const World world_ = make_world("room", {.seed = GetParam()});
 };
 
 TEST_P(Room, CameraKeepsClearOfTheFurniture) {

@@ -57,7 +57,7 @@ Capture ideal(const Scene& scene, const CameraMotion& motion, double seconds) {
 }
 
 TEST(Sensor, AnIdealOneShowsWhatTheRendererDoes) {
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   const CameraMotion motion = [&](double t) { return world.path.T_world_camera(t); };
   const Sensor sensor = sensor_of(world.scene, motion, {});
   const Capture together = sensor.capture(3, {.color = 0.7, .depth = 0.7});
@@ -122,7 +122,7 @@ TEST(Sensor, MovingThingsAreBlurredBeforeAStillCamera) {
 TEST(Sensor, UnderARollingShutterEachRowHasItsOwnPose) {
   SensorOptions options;
   options.exposure.readout = 0.03;
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   Scene scene = world.scene;
   scene.primitives[0].swing = Swing{{0, 0, 0.01}, 1, 0};  // the floor, that things may move too
   const CameraMotion motion = [&](double t) { return world.path.T_world_camera(t); };
@@ -152,7 +152,7 @@ TEST(Sensor, ExposureChangesTheBrightness) {
 }
 
 TEST(Sensor, AnyFrameCanBeTakenAlone) {
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   const CameraMotion motion = [&](double t) { return world.path.T_world_camera(t); };
   const SensorOptions options = sensor_preset("kinect");
   const Exposure now{.color = 0.5, .depth = 0.5};
@@ -167,7 +167,7 @@ TEST(Sensor, AnyFrameCanBeTakenAlone) {
 }
 
 TEST(Sensor, NoisyFramesReprojectIntoEachOtherToTheNoiseAskedFor) {
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   const CameraMotion motion = [&](double t) { return world.path.T_world_camera(t); };
   SensorOptions options;
   options.depth.axial = 1;
@@ -196,7 +196,7 @@ TEST(Sensor, NoisyFramesReprojectIntoEachOtherToTheNoiseAskedFor) {
 }
 
 TEST(Sensor, MovingObjectsSwingThroughTheViewClearOfTheCamera) {
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   const CameraMotion motion = [&](double t) { return world.path.T_world_camera(t); };
   SensorOptions options;
   options.objects = {.count = 4, .size = 0.3, .speed = 0.6};

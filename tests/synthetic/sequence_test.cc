@@ -98,7 +98,7 @@ TEST_F(Sequence, OpensInTheReaderWithItsOwnCameraPosesAndDepth) {
   EXPECT_EQ(data->camera().color.fx, synthetic_camera(64, 48).color.fx);
   // A hundred poses a second in 133 ms, and the five frames, of which two are among them.
   ASSERT_EQ(data->reference().size(), 14U + 5U - 2U);
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   const RgbdFrame frame = data->read(3);
   EXPECT_EQ(frame.problem, "");
   EXPECT_EQ(frame.stamp, frame.depth_stamp);
@@ -154,7 +154,7 @@ TEST_F(Sequence, FramesOfANoisyOneArePairedAndHaveTheirExactPoses) {
   EXPECT_GT(data->unpaired().color + data->unpaired().depth, 0U);
   EXPECT_LT(data->size(), 20U);
   EXPECT_GT(data->size(), 5U);  // about 0.8 * 0.8 of 20
-  const World world = make_world("room", 1);
+  const World world = make_world("room");
   bool stamps_differ = false;
   for (std::size_t i = 0; i < data->size(); ++i) {
     const RgbdFrame frame = data->read(i);
@@ -172,9 +172,12 @@ TEST_F(Sequence, SaysHowItWasMade) {
   options.sensor.exposure.time = 0.01;
   write_sequence(folder_, options);
   const std::string marker = contents(folder_).at("synthetic.yaml");
-  EXPECT_THAT(marker, HasSubstr("cvo_slam synth room <folder> --seed 1 --frames 1 --size 64x48 "
-                                "--image png --set sensor.depth.axial=0.5 --set "
-                                "sensor.exposure.time=0.01\n"));
+  EXPECT_THAT(
+      marker,
+      HasSubstr(
+          "cvo_slam synth room <folder> --seed 1 --path own --speed 1 --frames 1 --size 64x48 "
+          "--image png --set sensor.depth.axial=0.5 --set "
+          "sensor.exposure.time=0.01\n"));
   SensorOptions sensor;
   for (const auto& option : describe(sensor).options()) {
     const auto name = option.key.substr(option.key.rfind('.') + 1);

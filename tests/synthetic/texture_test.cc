@@ -10,13 +10,16 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-constexpr std::array<Pattern, 11> kAllPatterns = {
-    Pattern::kPlaster, Pattern::kWood,  Pattern::kBricks,   Pattern::kTiles,
-    Pattern::kStripes, Pattern::kPlaid, Pattern::kCarpet,   Pattern::kText,
-    Pattern::kPoster,  Pattern::kSpine, Pattern::kLandscape};
+constexpr std::array<Pattern, 12> kAllPatterns = {
+    Pattern::kPlaster, Pattern::kWood,  Pattern::kBricks,    Pattern::kTiles,
+    Pattern::kStripes, Pattern::kPlaid, Pattern::kCarpet,    Pattern::kText,
+    Pattern::kPoster,  Pattern::kSpine, Pattern::kLandscape, Pattern::kCollage};
+
+/// A collage of posters this small would be a few pixels a poster; it gets its natural size.
+double scale_of(Pattern pattern) { return pattern == Pattern::kCollage ? 0.45 : 0.1; }
 
 Texture texture_of(Pattern pattern) {
-  return {pattern, {0.8, 0.7, 0.6}, {0.2, 0.2, 0.3}, 0.1, 0.4, false, 7};
+  return {pattern, {0.8, 0.7, 0.6}, {0.2, 0.2, 0.3}, scale_of(pattern), 0.4, false, 7};
 }
 
 SurfacePoint at(double u, double v, double footprint) { return {u, v, 1, 1, footprint, footprint}; }
