@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include "cvo_slam/apps/interrupt.h"
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/prefetch.h"
 
 namespace cvo_slam {
 namespace {
@@ -44,27 +46,27 @@ double OdometryRun::fps() const {
 }
 
 OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
-                         const TrackerOptions& options, bool quiet,
-                         const InterruptGuard& interrupt) {
+                         const TrackerOptions& options, bool quiet) {
   Tracker tracker(data.camera(), options);
   Progress progress(range.end - range.begin, quiet);
   OdometryRun run;
   const auto start = Clock::now();
   const double cpu_start = process_cpu_seconds();
-  for (std::size_t i = range.begin; i < range.end && !interrupt.requested(); ++i) {
-    const auto read_start = Clock::now();
-    const RgbdFrame frame = data.read(i);
+  FramePrefetcher frames(data, range.begin, range.end);
+  while (!frames.done() && !InterruptGuard::requested()) {
+    const auto wait_start = Clock::now();
+    const RgbdFrame frame = frames.next();
     const auto track_start = Clock::now();
     run.costs.push_back(
-        {std::chrono::duration<double, std::milli>(track_start - read_start).count(), 0});
+        {std::chrono::duration<double, std::milli>(track_start - wait_start).count(), 0});
     run.records.push_back(tracker.track(frame));
     run.costs.back().track_ms = milliseconds_since(track_start);
-    progress.update(i + 1 - range.begin,
+    progress.update(run.records.size(),
                     run.records.back().status == TrackingStatus::kTracked ? "tracked" : "lost");
   }
   run.seconds = milliseconds_since(start) / 1e3;
   run.cpu_seconds = process_cpu_seconds() - cpu_start;
-  run.interrupted = interrupt.requested();
+  run.interrupted = InterruptGuard::requested();
   run.peak_memory_mb = peak_memory_mb();
   return run;
 }

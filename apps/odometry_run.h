@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cvo_slam/apps/evaluation_report.h"
-#include "cvo_slam/apps/interrupt.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/frontend/tracker.h"
@@ -17,7 +16,7 @@ namespace cvo_slam {
 
 /// What a frame cost.
 struct FrameCost {
-  double read_ms = 0;   ///< reading and decoding the images
+  double read_ms = 0;   ///< waiting for the images, which are decoded ahead
   double track_ms = 0;  ///< Tracker::track()
 };
 
@@ -34,11 +33,10 @@ struct OdometryRun {
   [[nodiscard]] double fps() const;
 };
 
-/// Tracks the frames of a range. Ends early, with what there is, where the user interrupts
-/// (SIGINT).
+/// Tracks the frames of a range. Ends early, with what there is, where the user interrupts (SIGINT)
+/// while an InterruptGuard lives.
 [[nodiscard]] OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
-                                       const TrackerOptions& options, bool quiet,
-                                       const InterruptGuard& interrupt);
+                                       const TrackerOptions& options, bool quiet);
 
 /// Errors against the sequence's reference; empty where there is none or nothing to compare, with a
 /// line in `notes` that says why.

@@ -96,7 +96,7 @@ int run(const RunArguments& arguments) {
   prepare_folder(folder);
 
   RunReport report{*data, range, options, {}, {}, std::nullopt, data->notes()};
-  report.run = run_odometry(*data, range, options.tracker, arguments.quiet, interrupt);
+  report.run = run_odometry(*data, range, options.tracker, arguments.quiet);
   report.trajectory = to_trajectory(report.run.records);
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
   deliver(arguments, report, folder);

@@ -70,8 +70,8 @@ TEST(ReadCamera, ReadsWhatWriteCameraWrote) {
 TEST(ReadCamera, NamesTheLineOfAMistake) {
   const std::string good = kGood;
   EXPECT_EQ(read_error(good + "focal: 3\n"),
-            "c.yaml:8: unknown key 'focal'; there are: name, depth_scale, depth, width, "
-            "height, fx, fy, cx, cy, distortion");
+            "c.yaml:8: unknown key 'focal'; there are: name, depth_scale, readout_time, "
+            "depth, width, height, fx, fy, cx, cy, distortion");
   EXPECT_EQ(read_error(good + "hight: 3\n"),
             "c.yaml:8: unknown key 'hight'; did you mean 'height'?");
   EXPECT_EQ(read_error(good + "fx: 3\n"), "c.yaml:8: key 'fx' is given twice; remove one");

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The vocabulary of pair_sums.cc: vectors of floats, the kernel, points, sums. Compiled once for
+// each instruction set, hence Highway's guard in place of a #pragma once.
+#if defined(CVO_SLAM_FRONTEND_SIMD_INTERNAL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CVO_SLAM_FRONTEND_SIMD_INTERNAL_H
+#undef CVO_SLAM_FRONTEND_SIMD_INTERNAL_H
+#else
+#define CVO_SLAM_FRONTEND_SIMD_INTERNAL_H
+#endif
+
+#include <array>
+#include <cstddef>
+
+#include <hwy/highway.h>
+
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/frontend/kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cvo_slam::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using FloatTag = hn::ScalableTag<float>;
+using Floats = hn::Vec<FloatTag>;
+
+constexpr FloatTag kTag;
+
+HWY_INLINE Floats broadcast(double value) { return hn::Set(kTag, static_cast<float>(value)); }
+
+/// exp(x) for x <= 0: 2^n e^r with |r| <= ln(2) / 2 and Taylor's polynomial of degree 6 for e^r,
+/// whose relative error is below r^7 / 5040 = 1.2e-7; with rounding, 2.3e-7 was measured. Smaller
+/// than e^-80 counts as e^-80.
+HWY_INLINE Floats exp_of_negative(Floats x) {
+  constexpr float kSmallest = -80.0F;
+  constexpr float kLog2E = 1.44269504F;
+  constexpr float kLn2High = 0.693359375F;  // few bits: n kLn2High is exact
+  constexpr float kLn2Low = -2.12194440e-4F;
+  x = hn::Max(x, hn::Set(kTag, kSmallest));
+  const Floats n = hn::Round(hn::Mul(x, hn::Set(kTag, kLog2E)));
+  Floats r = hn::NegMulAdd(n, hn::Set(kTag, kLn2High), x);
+  r = hn::NegMulAdd(n, hn::Set(kTag, kLn2Low), r);
+  Floats p = hn::Set(kTag, 1.0F / 720);
+  for (const float c : {1.0F / 120, 1.0F / 24, 1.0F / 6, 0.5F, 1.0F, 1.0F}) {
+    p = hn::MulAdd(p, r, hn::Set(kTag, c));
+  }
+  const hn::RebindToSigned<FloatTag> int_tag;
+  const auto exponent = hn::Add(hn::ConvertTo(int_tag, n), hn::Set(int_tag, 127));
+  return hn::Mul(p, hn::BitCast(kTag, hn::ShiftLeft<23>(exponent)));
+}
+
+/// The kernel's constants, broadcast once.
+struct Constants {
+  explicit Constants(const KernelOptions& kernel, double length_scale = 1)
+      : sigma2(broadcast(kernel.sigma * kernel.sigma)),
+        threshold(broadcast(kernel.sparsification)),
+        position(broadcast(-0.5 / (length_scale * length_scale))),
+        color(broadcast(-0.5 / (kernel.color_scale * kernel.color_scale))),
+        gradient(broadcast(-0.5 / (kernel.gradient_scale * kernel.gradient_scale))) {}
+  Floats sigma2, threshold, position, color, gradient;
+
+  [[nodiscard]] HWY_INLINE Floats k(Floats squared_distance) const {
+    return hn::Mul(sigma2, exp_of_negative(hn::Mul(squared_distance, position)));
+  }
+};
+
+struct Point {
+  Floats x, y, z;
+};
+
+HWY_INLINE Point operator-(const Point& a, const Point& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+HWY_INLINE Point operator+(const Point& a, const Point& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+HWY_INLINE Floats dot(const Point& a, const Point& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+HWY_INLINE Point cross(const Point& a, const Point& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+/// A rigid motion in single precision.
+class Motion {
+ public:
+  explicit Motion(const SE3& T) {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) R_[3 * i + j] = static_cast<float>(T.rotation()(i, j));
+      t_[i] = static_cast<float>(T.translation()[i]);
+    }
+  }
+  [[nodiscard]] HWY_INLINE Point operator*(const Point& p) const {
+    return {row(0, p), row(1, p), row(2, p)};
+  }
+
+ private:
+  [[nodiscard]] HWY_INLINE Floats row(int i, const Point& p) const {
+    const auto at = [&](int j) { return hn::Set(kTag, R_[3 * i + j]); };
+    return hn::MulAdd(at(0), p.x,
+                      hn::MulAdd(at(1), p.y, hn::MulAdd(at(2), p.z, hn::Set(kTag, t_[i]))));
+  }
+
+  float R_[9];
+  float t_[3];
+};
+
+/// Double precision sums of single precision lanes.
+template <std::size_t kCount>
+class Totals {
+ public:
+  HWY_INLINE void add(Floats v) {
+    HWY_ALIGN float lanes[HWY_MAX_BYTES / sizeof(float)];
+    hn::Store(v, kTag, lanes);
+    double* const sum = sums_ + kDoubles * next_++;
+    auto total = hn::Load(kDoubleTag, sum);
+    for (std::size_t i = 0; i < hn::Lanes(kTag); i += hn::Lanes(kDoubleTag)) {
+      total = hn::Add(total, hn::PromoteTo(kDoubleTag, hn::Load(kHalfTag, lanes + i)));
+    }
+    hn::Store(total, kDoubleTag, sum);
+  }
+  HWY_INLINE void add(const Point& p) {
+    add(p.x);
+    add(p.y);
+    add(p.z);
+  }
+  void rewind() { next_ = 0; }
+
+  [[nodiscard]] std::array<double, kCount> reduce() const {
+    std::array<double, kCount> sums{};
+    for (std::size_t i = 0; i < kCount; ++i) {
+      for (std::size_t lane = 0; lane < hn::Lanes(kDoubleTag); ++lane) {
+        sums[i] += sums_[kDoubles * i + lane];
+      }
+    }
+    return sums;
+  }
+
+ private:
+  using DoubleTag = hn::ScalableTag<double>;
+  static constexpr DoubleTag kDoubleTag{};
+  static constexpr hn::Rebind<float, DoubleTag> kHalfTag{};
+  static constexpr std::size_t kDoubles = HWY_MAX_BYTES / sizeof(double);
+
+  HWY_ALIGN double sums_[kCount * kDoubles] = {};
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+}  // namespace cvo_slam::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
