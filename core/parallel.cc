@@ -23,22 +23,20 @@ Executor::~Executor() = default;
 Executor::Executor(Executor&&) noexcept = default;
 Executor& Executor::operator=(Executor&&) noexcept = default;
 
-void Executor::for_each_chunk(
-    std::size_t n, std::size_t chunk_size,
-    const std::function<void(std::size_t, std::size_t, std::size_t)>& f) const {
+void Executor::run(std::size_t n, std::size_t chunk_size, const void* function, Call call) const {
   const std::size_t chunks = chunk_count(n, chunk_size);
-  const auto run = [&](std::size_t chunk) {
-    f(chunk, chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size));
+  const auto run_chunk = [&](std::size_t chunk) {
+    call(function, chunk, chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size));
   };
   if (!arena_) {
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) run(chunk);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
     return;
   }
   // TBB orders the chunks before the return by itself. The counter says it again where the thread
   // sanitizer can see it: Debian's libtbb is not instrumented.
   std::atomic<std::size_t> finished{0};
   const auto run_and_count = [&](std::size_t chunk) {
-    run(chunk);
+    run_chunk(chunk);
     finished.fetch_add(1, std::memory_order_release);
   };
   arena_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run_and_count); });

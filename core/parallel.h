@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 namespace cvo_slam {
@@ -23,8 +22,13 @@ class Executor {
 
   /// Calls f(chunk, begin, end) for each chunk of [0, n), in any order, and returns when all are
   /// done. There are chunk_count(n, chunk_size) chunks; the last may be shorter.
-  void for_each_chunk(std::size_t n, std::size_t chunk_size,
-                      const std::function<void(std::size_t, std::size_t, std::size_t)>& f) const;
+  template <typename Function>
+  void for_each_chunk(std::size_t n, std::size_t chunk_size, const Function& f) const {
+    run(n, chunk_size, &f,
+        [](const void* function, std::size_t chunk, std::size_t begin, std::size_t end) {
+          (*static_cast<const Function*>(function))(chunk, begin, end);
+        });
+  }
 
   [[nodiscard]] static std::size_t chunk_count(std::size_t n, std::size_t chunk_size) {
     return (n + chunk_size - 1) / chunk_size;
@@ -32,6 +36,12 @@ class Executor {
 
  private:
   struct Arena;
+  // A pointer to a function and its object, because a std::function may allocate.
+  using Call = void (*)(const void* function, std::size_t chunk, std::size_t begin,
+                        std::size_t end);
+
+  void run(std::size_t n, std::size_t chunk_size, const void* function, Call call) const;
+
   int threads_;
   std::unique_ptr<Arena> arena_;  // empty with one thread
 };

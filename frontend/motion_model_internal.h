@@ -15,6 +15,8 @@ class MotionModel {
   /// Forgets the velocity.
   void stop() { velocity_.reset(); }
   [[nodiscard]] bool is_moving() const { return velocity_.has_value(); }
+  /// Takes a velocity that was found otherwise [right tangent a second].
+  void assume(const Vector6& velocity) { velocity_ = velocity; }
   void update(const Timestamp& stamp, const SE3& T_world_camera);
 
   [[nodiscard]] SE3 predict(const Timestamp& stamp) const;

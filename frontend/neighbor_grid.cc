@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "cvo_slam/frontend/neighbor_grid_internal.h"
 
@@ -18,19 +17,16 @@ constexpr double kMaxBins = 1 << 16;
 
 }  // namespace
 
-std::vector<std::uint32_t> finite_points_by_x(const PointCloud& cloud) {
-  std::vector<std::pair<float, std::uint32_t>> keys;
-  keys.reserve(cloud.size());
+void PointsByX::sort(const PointCloud& cloud) {
+  keys_.clear();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (std::isfinite(cloud.x[i]) && std::isfinite(cloud.y[i]) && std::isfinite(cloud.z[i])) {
-      keys.emplace_back(cloud.x[i], static_cast<std::uint32_t>(i));
+      keys_.emplace_back(cloud.x[i], static_cast<std::uint32_t>(i));
     }
   }
-  std::sort(keys.begin(), keys.end());
-  std::vector<std::uint32_t> indices(keys.size());
-  std::transform(keys.begin(), keys.end(), indices.begin(),
-                 [](const auto& key) { return key.second; });
-  return indices;
+  std::sort(keys_.begin(), keys_.end());
+  indices_.clear();
+  for (const auto& [x, index] : keys_) indices_.push_back(index);
 }
 
 std::int64_t NeighborGrid::column_of(float y, float z) const {
@@ -40,17 +36,19 @@ std::int64_t NeighborGrid::column_of(float y, float z) const {
 }
 
 void NeighborGrid::build(const PointCloud& cloud, double radius) {
-  build(cloud, finite_points_by_x(cloud), cloud.size(), radius);
+  PointsByX by_x;
+  by_x.sort(cloud);
+  build(cloud, by_x, cloud.size(), radius);
 }
 
-void NeighborGrid::build(const PointCloud& cloud, const std::vector<std::uint32_t>& by_x,
-                         std::size_t count, double radius) {
+void NeighborGrid::build(const PointCloud& cloud, const PointsByX& by_x, std::size_t count,
+                         double radius) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   radius_ = radius;
   order_.clear();
   Eigen::Array3f low = Eigen::Array3f::Constant(kInfinity);
   Eigen::Array3f high = -low;
-  for (const std::uint32_t i : by_x) {
+  for (const std::uint32_t i : by_x.indices()) {
     if (i >= count) continue;
     order_.push_back(i);
     const Eigen::Array3f p(cloud.x[i], cloud.y[i], cloud.z[i]);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,8 +20,16 @@ struct GridRun {
   std::uint32_t end;
 };
 
-/// The points with finite coordinates by ascending x.
-[[nodiscard]] std::vector<std::uint32_t> finite_points_by_x(const PointCloud& cloud);
+/// The points of a cloud with finite coordinates by ascending x; keeps its memory.
+class PointsByX {
+ public:
+  void sort(const PointCloud& cloud);
+  [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return indices_; }
+
+ private:
+  std::vector<std::pair<float, std::uint32_t>> keys_;
+  std::vector<std::uint32_t> indices_;
+};
 
 /// The points of a cloud sorted so that all within the kernel's support of a place are a few
 /// contiguous runs. Points are binned in (y, z) into square columns as wide as the support radius,
@@ -31,10 +40,8 @@ class NeighborGrid {
   static constexpr std::size_t kMaxRuns = 9;
   static constexpr std::size_t kPadding = 16;  ///< floats in the widest vector
 
-  /// Sorts a copy of the first `count` points. `by_x` is finite_points_by_x(cloud), which the grids
-  /// of several radii share.
-  void build(const PointCloud& cloud, const std::vector<std::uint32_t>& by_x, std::size_t count,
-             double radius);
+  /// Sorts a copy of the first `count` points. The grids of several radii share `by_x`.
+  void build(const PointCloud& cloud, const PointsByX& by_x, std::size_t count, double radius);
   void build(const PointCloud& cloud, double radius);
 
   [[nodiscard]] std::size_t size() const { return order_.size(); }

@@ -71,15 +71,17 @@ ObjectiveValue assemble(const PairSums& sums, double ell) {
 
 }  // namespace
 
-void Objective::build(const PointCloud& fixed, const std::vector<std::uint32_t>& by_x,
-                      std::size_t count, const KernelOptions& kernel, double length_scale) {
+void Objective::build(const PointCloud& fixed, const PointsByX& by_x, std::size_t count,
+                      const KernelOptions& kernel, double length_scale) {
   kernel_ = kernel;
   length_scale_ = length_scale;
   grid_.build(fixed, by_x, count, (1 + kSkin) * support_radius(kernel, length_scale));
 }
 
 void Objective::build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale) {
-  build(fixed, finite_points_by_x(fixed), fixed.size(), kernel, length_scale);
+  PointsByX by_x;
+  by_x.sort(fixed);
+  build(fixed, by_x, fixed.size(), kernel, length_scale);
 }
 
 ObjectiveValue Objective::evaluate(const PointCloud& moving, const SE3& T_fixed_moving,

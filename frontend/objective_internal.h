@@ -33,9 +33,8 @@ struct ObjectiveValue {
 /// One fixed cloud at one length scale.
 class Objective {
  public:
-  /// Takes the first `count` points of `fixed`; `by_x` are the indices of all of them by ascending
-  /// x, see NeighborGrid.
-  void build(const PointCloud& fixed, const std::vector<std::uint32_t>& by_x, std::size_t count,
+  /// Takes the first `count` points of `fixed`; `by_x` is of all of them.
+  void build(const PointCloud& fixed, const PointsByX& by_x, std::size_t count,
              const KernelOptions& kernel, double length_scale);
   void build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale);
 

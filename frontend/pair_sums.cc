@@ -4,7 +4,10 @@
 // The only SIMD code of the tracker: Google Highway compiles this file once for each instruction
 // set and picks one at run time.
 // Vectors are members of structs here, which Arm's scalable vectors cannot be.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#define HWY_DISABLED_TARGETS \
+  (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
+// The scalar path too, and not every step between.
+#define HWY_COMPILE_ALL_ATTAINABLE
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cvo_slam/frontend/pair_sums.cc"
 #include <bit>
@@ -344,6 +347,8 @@ double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
   return sum(grid, moving, kernel, length_scale, begin, end);
 }
 
+std::int64_t target() { return HWY_TARGET; }
+
 void simd_exp(std::span<const float> x, std::span<float> y) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     y[i] = hn::GetLane(exp_of_negative(hn::Set(kTag, x[i])));
@@ -362,6 +367,7 @@ HWY_EXPORT(sum_expansion);
 HWY_EXPORT(find_neighbors);
 HWY_EXPORT(sum_inner_products);
 HWY_EXPORT(simd_exp);
+HWY_EXPORT(target);
 
 PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
                    double length_scale, std::size_t begin, std::size_t end) {
@@ -385,6 +391,9 @@ double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
                           std::size_t end) {
   return HWY_DYNAMIC_DISPATCH(sum_inner_products)(grid, moving, kernel, length_scale, begin, end);
 }
+
+std::int64_t compiled_simd_targets() { return HWY_TARGETS; }
+std::int64_t simd_target_in_use() { return HWY_DYNAMIC_DISPATCH(target)(); }
 
 std::vector<float> simd_exp(std::span<const float> x) {
   std::vector<float> y(x.size());

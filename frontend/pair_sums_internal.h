@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -59,6 +60,11 @@ void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE
 double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
                           const KernelOptions& kernel, double length_scale, std::size_t begin,
                           std::size_t end);
+
+/// Highway's bits of the instruction sets that these functions are compiled for, and of the one in
+/// use.
+std::int64_t compiled_simd_targets();
+std::int64_t simd_target_in_use();
 
 /// exp(x) for each x <= 0, as the sums compute it (for tests of its error).
 std::vector<float> simd_exp(std::span<const float> x);

@@ -20,6 +20,7 @@ struct Registration::Impl {
   double fixed_squared_norm = 0;  // at the last level
   PairTable pairs;                // memory
   NeighborGrid moving_grid;       // memory
+  PointsByX by_x;                 // memory
 
   /// The list's last entry holds for all levels after it.
   [[nodiscard]] int max_iterations(std::size_t level) const {
@@ -35,7 +36,7 @@ struct Registration::Impl {
   void set_fixed(const PointCloud& fixed);
   [[nodiscard]] StopRule stop_rule(std::size_t level) const;
   LevelResult run_level(std::size_t level, const PointCloud& moving, const SE3& T_init);
-  Approach approach(const PointCloud& moving, const SE3& T_init);
+  Approach approach(const PointCloud& moving, const SE3& T_init, int skip);
   RegistrationResult refine(const PointCloud& moving, const Approach& start);
   RegistrationResult assess(const PointCloud& moving, const LevelResult& state);
 };
@@ -83,7 +84,7 @@ RegistrationOptions checked(RegistrationOptions options) {
 }  // namespace
 
 Registration::Registration(const RegistrationOptions& options, int threads)
-    : impl_(std::make_unique<Impl>(Impl{checked(options), Executor(threads), {}, 0, {}, {}})) {}
+    : impl_(std::make_unique<Impl>(Impl{checked(options), Executor(threads), {}, 0, {}, {}, {}})) {}
 
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;
@@ -91,7 +92,7 @@ Registration& Registration::operator=(Registration&&) noexcept = default;
 
 void Registration::Impl::set_fixed(const PointCloud& fixed) {
   const auto& scales = options.length_scales;
-  const auto by_x = finite_points_by_x(fixed);
+  by_x.sort(fixed);
   levels.resize(scales.size());
   for (std::size_t level = 0; level < scales.size(); ++level) {
     levels[level].build(fixed, by_x, points_at(level, fixed.size()), options.kernel, scales[level]);
@@ -121,9 +122,9 @@ LevelResult Registration::Impl::run_level(std::size_t level, const PointCloud& m
 }
 
 /// All levels but the last; a level without overlap changes nothing.
-Approach Registration::Impl::approach(const PointCloud& moving, const SE3& T_init) {
+Approach Registration::Impl::approach(const PointCloud& moving, const SE3& T_init, int skip) {
   Approach result{T_init, 0};
-  for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+  for (auto level = static_cast<std::size_t>(skip); level + 1 < levels.size(); ++level) {
     const LevelResult state = run_level(level, moving, result.T_fixed_moving);
     result.T_fixed_moving = state.T_fixed_moving;
     result.iterations += state.iterations;
@@ -157,7 +158,9 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
   result.objective = state.value.value;
   result.overlap = static_cast<double>(state.value.matched) / static_cast<double>(moving.size());
   const Objective& finest = levels.back();
-  moving_grid.build(moving, support_radius(finest.kernel(), finest.length_scale()));
+  by_x.sort(moving);
+  moving_grid.build(moving, by_x, moving.size(),
+                    support_radius(finest.kernel(), finest.length_scale()));
   const double moving_squared_norm =
       squared_norm(moving_grid, moving, finest.kernel(), finest.length_scale(), executor);
   // The kernel cut to its support is not positive definite: on a regular lattice the quotient can
@@ -172,14 +175,17 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
 
 void Registration::set_fixed(const PointCloud& fixed) { impl_->set_fixed(fixed); }
 
-RegistrationResult Registration::align(const PointCloud& moving, const SE3& T_fixed_moving_init) {
-  RegistrationResult result = impl_->refine(moving, impl_->approach(moving, T_fixed_moving_init));
+RegistrationResult Registration::align(const PointCloud& moving, const SE3& T_fixed_moving_init,
+                                       int skip) {
+  RegistrationResult result =
+      impl_->refine(moving, impl_->approach(moving, T_fixed_moving_init, skip));
   if (result.status == RegistrationStatus::kFailed) result.T_fixed_moving = T_fixed_moving_init;
   return result;
 }
 
-Approach Registration::approach(const PointCloud& moving, const SE3& T_fixed_moving_init) {
-  return impl_->approach(moving, T_fixed_moving_init);
+Approach Registration::approach(const PointCloud& moving, const SE3& T_fixed_moving_init,
+                                int skip) {
+  return impl_->approach(moving, T_fixed_moving_init, skip);
 }
 
 RegistrationResult Registration::refine(const PointCloud& moving, const Approach& start) {

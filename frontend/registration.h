@@ -97,10 +97,13 @@ class Registration {
   /// The pose that maps `moving` onto the fixed cloud, searched from T_fixed_moving_init.
   /// Never throws: clouds without points or without overlap give kFailed and a reason.
   /// One call at a time: it works in memory of the object.
-  [[nodiscard]] RegistrationResult align(const PointCloud& moving, const SE3& T_fixed_moving_init);
+  /// `skip` leaves out that many of the coarsest length scales, but not the last one.
+  [[nodiscard]] RegistrationResult align(const PointCloud& moving, const SE3& T_fixed_moving_init,
+                                         int skip = 0);
   /// align() in two parts, for a caller that can improve the moving cloud where its pose is nearly
   /// known: all length scales but the last, and the last alone.
-  [[nodiscard]] Approach approach(const PointCloud& moving, const SE3& T_fixed_moving_init);
+  [[nodiscard]] Approach approach(const PointCloud& moving, const SE3& T_fixed_moving_init,
+                                  int skip = 0);
   [[nodiscard]] RegistrationResult refine(const PointCloud& moving, const Approach& start);
 
  private:

@@ -77,12 +77,14 @@ struct Tracker::Impl {
   PointSelector selector;
   PointCloud seen;            // the points of a frame as its rows saw them
   PointCloud cloud;           // at its stamp
+  PointCloud frame_in_work;   // memory
   Registration registration;  // against the current keyframe
   MotionModel motion;
   std::optional<std::size_t> keyframe;  // its index
   SE3 T_world_keyframe;
   RgbdFrame last_tracked;
   bool keyframe_is_last_tracked = false;
+  bool keyframe_lacks_velocity = false;
   int segment = 0;
   int lost_in_a_row = 0;
 
@@ -96,7 +98,9 @@ struct Tracker::Impl {
   void set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera);
   void remember(const RgbdFrame& frame);
   std::string register_frame(FrameRecord& record);
-  std::string register_from(const SE3& T_world_camera_init, FrameRecord& record);
+  std::string register_from(const SE3& T_world_camera_init, int skip, FrameRecord& record);
+  std::string register_to_first_keyframe(FrameRecord& record);
+  void promote_last_tracked();
   void accept(const RgbdFrame& frame, FrameRecord& record);
   void reject(const std::string& reason, FrameRecord& record);
 };
@@ -105,6 +109,7 @@ struct Tracker::Impl {
 void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera) {
   keyframe = frame.index;
   keyframe_is_last_tracked = true;
+  keyframe_lacks_velocity = !motion.is_moving();
   T_world_keyframe = T_world_camera;
   select(frame, options.keyframe_points);
   undo_shutter(motion.velocity());
@@ -159,17 +164,18 @@ void Tracker::Impl::start_segment(const RgbdFrame& frame, FrameRecord& record) {
 }
 
 /// Registers against the keyframe from a start; returns what is wrong with the result, or nothing.
-std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, FrameRecord& record) {
+std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip,
+                                         FrameRecord& record) {
   record.keyframe = *keyframe;
   undo_shutter(motion.velocity());
   const SE3 T_init = T_world_keyframe.inverse() * T_world_camera_init;
   if (has_rolling_shutter()) {
     // The predicted velocity is a frame old: undo again with the one that was found.
-    const Approach approach = registration.approach(cloud, T_init);
+    const Approach approach = registration.approach(cloud, T_init, skip);
     undo_shutter(motion.velocity_to(record.stamp, T_world_keyframe * approach.T_fixed_moving));
     record.registration = registration.refine(cloud, approach);
   } else {
-    record.registration = registration.align(cloud, T_init);
+    record.registration = registration.align(cloud, T_init, skip);
   }
   record.T_world_camera = T_world_keyframe * record.registration.T_fixed_moving;
   const std::string fault = find_fault(record.registration, options.lost);
@@ -178,29 +184,45 @@ std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, FrameRe
                            seconds_between(motion.last_stamp(), record.stamp), options.lost);
 }
 
-/// Registers from the predicted pose; where that fails without the velocity, and where that fails
-/// too against the last tracked frame, the most similar view there is.
+/// Registers from the predicted pose; where that fails with all length scales; where that fails too
+/// without the velocity; and at last against the last tracked frame, the most similar view there
+/// is.
 std::string Tracker::Impl::register_frame(FrameRecord& record) {
   if (record.stamp <= motion.last_stamp()) {
     return fmt::format("its stamp is not after the stamp {} of the last tracked frame",
                        motion.last_stamp().to_string());
   }
-  const bool predict = options.prediction == Prediction::kConstantVelocity;
-  std::string fault =
-      register_from(predict ? motion.predict(record.stamp) : T_world_keyframe, record);
-  if (!fault.empty() && predict && motion.is_moving()) {
-    fault = register_from(motion.last_pose(), record);
-  }
+  if (options.prediction == Prediction::kIdentity)
+    return register_from(T_world_keyframe, 0, record);
+  const int skip = motion.is_moving() ? options.recovery_scales : 0;
+  const SE3 T_predicted = motion.predict(record.stamp);
+  std::string fault = register_from(T_predicted, skip, record);
+  if (!fault.empty() && skip > 0) fault = register_from(T_predicted, 0, record);
+  if (!fault.empty() && motion.is_moving()) fault = register_from(motion.last_pose(), 0, record);
   if (!fault.empty() && !keyframe_is_last_tracked) {
-    const PointCloud points = seen;
-    selector.prepare(last_tracked);
-    set_keyframe(last_tracked, motion.last_pose());
-    seen = points;
+    promote_last_tracked();
     record.promoted_keyframe = last_tracked.index;
-    fault = register_from(motion.last_pose(), record);
+    fault = register_from(motion.last_pose(), 0, record);
   }
+  if (fault.empty() && keyframe_lacks_velocity) fault = register_to_first_keyframe(record);
   if (!fault.empty()) motion.stop();
   return fault;
+}
+
+/// Makes the last tracked frame the keyframe; keeps the points of the frame in work.
+void Tracker::Impl::promote_last_tracked() {
+  frame_in_work = seen;
+  selector.prepare(last_tracked);
+  set_keyframe(last_tracked, motion.last_pose());
+  seen = frame_in_work;
+}
+
+/// The first keyframe of a segment was made before its motion was known. Makes it again with the
+/// motion to the frame that was just registered to it, and registers that one again.
+std::string Tracker::Impl::register_to_first_keyframe(FrameRecord& record) {
+  motion.assume(motion.velocity_to(record.stamp, record.T_world_camera));
+  promote_last_tracked();
+  return register_from(record.T_world_camera, options.recovery_scales, record);
 }
 
 void Tracker::Impl::accept(const RgbdFrame& frame, FrameRecord& record) {

@@ -45,6 +45,10 @@ OptionSet describe(TrackerOptions& o) {
            {{"constant_velocity", Prediction::kConstantVelocity},
             {"identity", Prediction::kIdentity}},
            "Where a registration starts. Hands and robots move smoothly at 30 Hz.")
+      .add("recovery_scales", o.recovery_scales, {0, 100}, "",
+           "So many of the coarsest length scales are left out where the pose was predicted, and "
+           "serve where a registration without them failed: wide kernels reach further, but pull "
+           "towards dense regions, away from a prediction that was good.")
       .add("points", o.points, {50, 100000}, "",
            "Points of a frame. Twice as many cost twice the time and gain nothing.")
       .add("keyframe_points", o.keyframe_points, {50, 100000}, "",

@@ -40,6 +40,7 @@ struct LostOptions {
 struct TrackerOptions {
   Reference reference = Reference::kKeyframe;
   Prediction prediction = Prediction::kConstantVelocity;
+  int recovery_scales = 1;
   int points = 1500;
   int keyframe_points = 6000;
   bool compensate_depth_delay = true;

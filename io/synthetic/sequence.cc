@@ -112,6 +112,12 @@ std::string marker_text(const SequenceOptions& options, std::size_t frames) {
          options_to_yaml(OptionSet().add("sensor", describe(sensor)));
 }
 
+Camera camera_of(const SequenceOptions& options) {
+  Camera camera = synthetic_camera(options.width, options.height);
+  camera.readout_time = options.sensor.exposure.readout;
+  return camera;
+}
+
 /// One sequence in the making.
 class Recorder {
  public:
@@ -164,7 +170,7 @@ class Recorder {
       : folder_(folder),
         options_(options),
         path_(world.path),
-        camera_(synthetic_camera(options.width, options.height)),
+        camera_(camera_of(options)),
         frames_(schedule(options.frames.value_or(frames_of_a_round(path_)), options.sensor,
                          options.seed)),
         sensor_(

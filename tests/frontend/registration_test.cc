@@ -14,62 +14,11 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/tests/frontend/reference_align.h"
+#include "cvo_slam/tests/frontend/solver_checks.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 
 namespace cvo_slam {
 namespace {
-
-/// Options whose every number is set here, with tolerances far below what is asserted.
-RegistrationOptions exact_options(Solver solver, ColorKernel color,
-                                  std::vector<double> length_scales) {
-  RegistrationOptions options;
-  options.solver = solver;
-  options.kernel.sigma = 0.1;
-  options.kernel.sparsification = 1e-3;
-  options.kernel.color_kernel = color;
-  options.kernel.color_scale = 80;
-  options.kernel.gradient_scale = 80;
-  options.length_scales = std::move(length_scales);
-  options.max_iterations = {5000};
-  options.tolerance_translation = options.tolerance_rotation = 1e-7;
-  options.flow.min_step = 1e-8;
-  options.flow.min_gradient = 0;
-  return options;
-}
-
-/// A cloud around the origin, where rotation and translation hardly depend on each other and the
-/// first-order solvers converge quickly.
-PointCloud centred_cloud(std::size_t n, unsigned seed) {
-  return transformed(random_cloud(n, seed), SE3(Matrix3::Identity(), {0, 0, -1.5}));
-}
-
-/// A seeded motion of at most `translation` [m] and `rotation` [rad] along and about each axis.
-SE3 random_motion(double translation, double rotation, unsigned seed) {
-  std::mt19937 rng(seed);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  Vector6 xi;
-  for (int k = 0; k < 6; ++k) xi[k] = unit(rng) * (k < 3 ? translation : rotation);
-  return SE3::exp(xi);
-}
-
-/// Another look at the same places: positions off by up to 5 mm, colours by up to 10 grey levels.
-PointCloud noisy(PointCloud cloud, unsigned seed) {
-  std::mt19937 rng(seed);
-  std::uniform_real_distribution<float> unit(-1.0F, 1.0F);
-  for (auto* axis : {&cloud.x, &cloud.y, &cloud.z}) {
-    for (float& value : *axis) value += 0.005F * unit(rng);
-  }
-  for (auto& feature : cloud.features) {
-    for (float& value : feature) value += 10 * unit(rng);
-  }
-  return cloud;
-}
-
-void expect_near(const SE3& a, const SE3& b, double translation, double rotation) {
-  const SE3 difference = a.inverse() * b;
-  EXPECT_LT(difference.translation().norm(), translation);
-  EXPECT_LT(difference.angle(), rotation);
-}
 
 class Solvers : public testing::TestWithParam<std::tuple<Solver, ColorKernel>> {
  protected:
@@ -91,25 +40,6 @@ TEST_P(Solvers, FindAKnownMotion) {
     EXPECT_EQ(result.status, RegistrationStatus::kConverged);
     EXPECT_EQ(result.reason, "converged");
     expect_near(result.T_fixed_moving, T, 5e-6, 5e-6);
-  }
-}
-
-/// 0.1 mm and 0.01 degrees: below anything that a depth camera resolves.
-void expect_agreement(const SE3& a, const SE3& b) { expect_near(a, b, 1e-4, 0.01 * M_PI / 180); }
-
-TEST_P(Solvers, AgreeWithTheOracleAtAFixedLengthScale) {
-  constexpr double kScale = 0.1;
-  RegistrationOptions options = Solvers::options({kScale});
-  // At 1e-3 every pair at the rim of the support may make a maximum of its own: in clouds this
-  // small 0.3 mm from the next. At 1e-6 they are a thousand times closer.
-  options.kernel.sparsification = 1e-6;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    SCOPED_TRACE(seed);
-    const PointCloud fixed = centred_cloud(60, seed);
-    const SE3 T = random_motion(0.01, 0.02, 200 + seed);
-    const PointCloud moving = noisy(transformed(fixed, T.inverse()), 300 + seed);
-    const SE3 oracle = reference_align(fixed, moving, SE3(), options.kernel, kScale);
-    expect_agreement(align(fixed, moving, SE3(), options).T_fixed_moving, oracle);
   }
 }
 

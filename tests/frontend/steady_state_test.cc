@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tracking allocates nothing once its memory has grown to what frames need.
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "cvo_slam/frontend/tracker.h"
+#include "cvo_slam/tests/frontend/synthetic_frames.h"
+#include "cvo_slam/tests/frontend/test_frames.h"
+#include "cvo_slam/tests/frontend/tracker_test_options.h"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+}  // namespace
+
+// Replaced for the whole test program; they count and else do what the standard ones do.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace cvo_slam {
+namespace {
+
+TEST(SteadyState, OfTrackingAllocatesNothing) {
+  // Every third frame of the walk, forwards and backwards again and again.
+  constexpr std::size_t kFrames = 8;
+  const SyntheticFrames walk(small_camera(320, 240));
+  std::vector<RgbdFrame> frames;
+  for (std::size_t i = 0; i < kFrames; ++i) frames.push_back(walk.frame(3 * i));
+  Tracker tracker(walk.camera(), tracker_test_options());
+  std::size_t index = 0;
+  std::size_t keyframes = 0;
+  const auto round = [&] {
+    for (std::size_t k = 0; k < 2 * kFrames; ++k, ++index) {
+      RgbdFrame& frame = frames[k < kFrames ? k : 2 * kFrames - 1 - k];
+      frame.index = index;
+      frame.stamp = frame.depth_stamp =
+          Timestamp::from_seconds(100 + static_cast<double>(index) / 30);
+      const FrameRecord record = tracker.track(frame);
+      if (record.status == TrackingStatus::kLost) ADD_FAILURE() << record.reason;
+      if (!record.keyframe_reason.empty()) ++keyframes;
+    }
+  };
+  for (int i = 0; i < 3; ++i) round();
+  // OpenCV's filters have buffers of their own, which do not come from here.
+  keyframes = 0;
+  const std::size_t before = allocations;
+  round();
+  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_GT(keyframes, 0U) << "the way from frame to keyframe was gone too";
+}
+
+}  // namespace
+}  // namespace cvo_slam
