@@ -10,6 +10,7 @@
 
 #include "cvo_slam/apps/settings.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/frontend/simd.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/options_file.h"
 
@@ -23,6 +24,18 @@ std::optional<std::size_t> parse_end(std::string_view text, std::size_t otherwis
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+std::vector<std::string> simd_words() {
+  std::vector<std::string> words;
+  for (const auto& [word, path] : simd_path_names()) words.push_back(word);
+  return words;
+}
+
+void pin_simd_path(const std::string& word) {
+  for (const auto& [name, path] : simd_path_names()) {
+    if (name == word) pin_simd(path);
+  }
 }
 
 }  // namespace
@@ -41,6 +54,9 @@ void TrackingArguments::add_to(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--threads", threads, "Threads of a registration; does not change the result")
       ->check(CLI::Range(1, 1024));
+  command.add_option("--simd", simd, "Instruction set to compute with")
+      ->check(CLI::IsMember(simd_words()))
+      ->capture_default_str();
 }
 
 std::unique_ptr<Dataset> TrackingArguments::open() const {
@@ -51,6 +67,7 @@ std::unique_ptr<Dataset> TrackingArguments::open() const {
 }
 
 ProgramOptions TrackingArguments::options() const {
+  pin_simd_path(simd);
   ProgramOptions result;
   if (preset == "paper") result.tracker = paper_options();
   const OptionSet set = describe(result);

@@ -40,6 +40,7 @@ struct TrackingArguments {
   std::filesystem::path config;
   std::vector<std::string> settings;  ///< "key=value" each
   std::optional<int> threads;
+  std::string simd = "best";
 
   /// Declares the options on a subcommand.
   void add_to(CLI::App& command);
@@ -47,6 +48,7 @@ struct TrackingArguments {
   /// Throws InputError where the sequence cannot be opened.
   [[nodiscard]] std::unique_ptr<Dataset> open() const;
   /// The preset, then the configuration file, then each --set, then --threads: the last one wins.
+  /// Pins the SIMD path.
   [[nodiscard]] ProgramOptions options() const;
   /// Throws OptionError where the range is malformed or empty for a sequence of `size` frames.
   [[nodiscard]] FrameRange range(std::size_t size) const;

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How well the information matrices of registrations predict their errors: the normalised estimation
-// error squared (NEES), e^T Omega e with e = log(T_true^-1 T_estimated), of each tracked frame
-// against its keyframe. For six degrees of freedom its mean should be 6, and 95 % should be below
-// 12.59. Y. Bar-Shalom et al., "Estimation with Applications to Tracking and Navigation", 2001.
+// How well the information matrices of registrations predict their errors: the normalised
+// estimation error squared (NEES), e^T Omega e with e = log(T_true^-1 T_estimated), of each tracked
+// frame against its keyframe. For six degrees of freedom its mean should be 6, and 95 % should be
+// below 12.59. Y. Bar-Shalom et al., "Estimation with Applications to Tracking and Navigation",
+// 2001.
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -51,8 +52,8 @@ void print_row(const std::string& name, std::vector<double> values) {
   if (values.empty()) throw DataError(name + ": no frame has an exact pose in the ground truth");
   double sum = 0;
   for (const double value : values) sum += value;
-  const auto inside = std::count_if(values.begin(), values.end(),
-                                    [](double value) { return value < kGate95; });
+  const auto inside =
+      std::count_if(values.begin(), values.end(), [](double value) { return value < kGate95; });
   const auto n = static_cast<double>(values.size());
   std::sort(values.begin(), values.end());
   fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.1f} |\n", name, values.size(), sum / n,

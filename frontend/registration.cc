@@ -75,6 +75,18 @@ bool is_undetermined(const ObjectiveValue& value) {
   return !(eigenvalues.minCoeff() > kMinEigenvalueRatio * eigenvalues.maxCoeff());
 }
 
+/// The mean over the points of ell^2 / (ell^2 + sigma_z^2) with sigma_z = depth_noise z^2: how much
+/// less a point says than one without depth noise.
+double mean_precision(const PointCloud& cloud, double ell, double depth_noise) {
+  double sum = 0;
+  for (const float z : cloud.z) {
+    if (!std::isfinite(z)) continue;
+    const double sigma = depth_noise * z * z;
+    sum += ell * ell / (ell * ell + sigma * sigma);
+  }
+  return sum / static_cast<double>(cloud.size());
+}
+
 RegistrationOptions checked(RegistrationOptions options) {
   describe(options).check();
   check_consistency(options);
@@ -168,8 +180,10 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
   result.cos_theta = std::min(
       1.0, state.value.inner_product / std::sqrt(fixed_squared_norm * moving_squared_norm));
   const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
+  const double scale = options.information_scale *
+                       mean_precision(moving, finest.length_scale(), options.depth_noise);
   result.information =
-      right_information(curvature(state.value), result.T_fixed_moving) / mean_weight;
+      right_information(curvature(state.value), result.T_fixed_moving) * (scale / mean_weight);
   return result;
 }
 

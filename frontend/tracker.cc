@@ -97,9 +97,9 @@ struct Tracker::Impl {
   }
   void set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera);
   void remember(const RgbdFrame& frame);
-  std::string register_frame(FrameRecord& record);
+  std::string register_frame(const RgbdFrame& frame, FrameRecord& record);
   std::string register_from(const SE3& T_world_camera_init, int skip, FrameRecord& record);
-  std::string register_to_first_keyframe(FrameRecord& record);
+  std::string register_to_first_keyframe(const RgbdFrame& frame, FrameRecord& record);
   void promote_last_tracked();
   void accept(const RgbdFrame& frame, FrameRecord& record);
   void reject(const std::string& reason, FrameRecord& record);
@@ -187,7 +187,7 @@ std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, int ski
 /// Registers from the predicted pose; where that fails with all length scales; where that fails too
 /// without the velocity; and at last against the last tracked frame, the most similar view there
 /// is.
-std::string Tracker::Impl::register_frame(FrameRecord& record) {
+std::string Tracker::Impl::register_frame(const RgbdFrame& frame, FrameRecord& record) {
   if (record.stamp <= motion.last_stamp()) {
     return fmt::format("its stamp is not after the stamp {} of the last tracked frame",
                        motion.last_stamp().to_string());
@@ -204,7 +204,9 @@ std::string Tracker::Impl::register_frame(FrameRecord& record) {
     record.promoted_keyframe = last_tracked.index;
     fault = register_from(motion.last_pose(), 0, record);
   }
-  if (fault.empty() && keyframe_lacks_velocity) fault = register_to_first_keyframe(record);
+  if (fault.empty() && keyframe_lacks_velocity) {
+    fault = register_to_first_keyframe(frame, record);
+  }
   if (!fault.empty()) motion.stop();
   return fault;
 }
@@ -218,10 +220,12 @@ void Tracker::Impl::promote_last_tracked() {
 }
 
 /// The first keyframe of a segment was made before its motion was known. Makes it again with the
-/// motion to the frame that was just registered to it, and registers that one again.
-std::string Tracker::Impl::register_to_first_keyframe(FrameRecord& record) {
+/// motion to the frame that was just registered to it, and registers that one, made again too.
+std::string Tracker::Impl::register_to_first_keyframe(const RgbdFrame& frame, FrameRecord& record) {
   motion.assume(motion.velocity_to(record.stamp, record.T_world_camera));
   promote_last_tracked();
+  selector.prepare(frame);
+  select(frame, options.points);
   return register_from(record.T_world_camera, options.recovery_scales, record);
 }
 
@@ -255,7 +259,7 @@ void Tracker::Impl::track(const RgbdFrame& frame, FrameRecord& record) {
   }
   if (!keyframe) return start_segment(frame, record);
 
-  const std::string fault = register_frame(record);
+  const std::string fault = register_frame(frame, record);
   if (fault.empty()) return accept(frame, record);
   reject(fault, record);
   if (lost_in_a_row >= options.lost.restart_after) {

@@ -67,6 +67,13 @@ TEST(ReadCamera, ReadsWhatWriteCameraWrote) {
   EXPECT_LT(difference.log().norm(), 1e-14);
 }
 
+TEST(ReadCamera, KnowsTheReadoutTimeOfARollingShutter) {
+  EXPECT_EQ(find_camera("tum_fr1").readout_time, 0.026);
+  EXPECT_EQ(find_camera("icl_nuim").readout_time, 0);
+  EXPECT_NE(read_error(std::string(kGood) + "readout_time: -1\n").find("readout_time=-1"),
+            std::string::npos);
+}
+
 TEST(ReadCamera, NamesTheLineOfAMistake) {
   const std::string good = kGood;
   EXPECT_EQ(read_error(good + "focal: 3\n"),

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/io/prefetch.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace cvo_slam {
+namespace {
+
+/// Frames that know their number; reading frame 7 fails.
+class NumberedFrames : public Dataset {
+ public:
+  [[nodiscard]] const std::string& name() const override { return name_; }
+  [[nodiscard]] const std::string& kind() const override { return name_; }
+  [[nodiscard]] const Camera& camera() const override { return camera_; }
+  [[nodiscard]] std::size_t size() const override { return 10; }
+  [[nodiscard]] RgbdFrame read(std::size_t index) const override {
+    if (index == 7) throw std::runtime_error("seven");
+    RgbdFrame frame;
+    frame.index = index;
+    return frame;
+  }
+  [[nodiscard]] Timestamp stamp(std::size_t /*index*/) const override { return {}; }
+  [[nodiscard]] UnpairedImages unpaired() const override { return {}; }
+  [[nodiscard]] const std::vector<StampedPose>& reference() const override { return reference_; }
+  [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
+
+ private:
+  std::string name_ = "numbers";
+  Camera camera_;
+  std::vector<StampedPose> reference_;
+  std::vector<std::string> notes_;
+};
+
+TEST(FramePrefetcher, GivesEveryFrameOfTheRangeInOrder) {
+  const NumberedFrames data;
+  for (const std::size_t ahead : {1U, 3U, 100U}) {
+    FramePrefetcher frames(data, 2, 6, ahead);
+    std::vector<std::size_t> indices;
+    while (!frames.done()) indices.push_back(frames.next().index);
+    EXPECT_EQ(indices, std::vector<std::size_t>({2, 3, 4, 5}));
+  }
+}
+
+TEST(FramePrefetcher, OfAnEmptyRangeIsDone) {
+  const NumberedFrames data;
+  EXPECT_TRUE(FramePrefetcher(data, 3, 3).done());
+}
+
+TEST(FramePrefetcher, HandsOnWhatReadingThrows) {
+  const NumberedFrames data;
+  FramePrefetcher frames(data, 6, 10);
+  EXPECT_EQ(frames.next().index, 6U);
+  EXPECT_THROW(static_cast<void>(frames.next()), std::runtime_error);
+  EXPECT_EQ(frames.next().index, 8U);
+}
+
+TEST(FramePrefetcher, MayBeLeftBeforeItsEnd) {
+  const NumberedFrames data;
+  FramePrefetcher frames(data, 0, 6);
+  EXPECT_EQ(frames.next().index, 0U);
+}
+
+}  // namespace
+}  // namespace cvo_slam
