@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/kernel.h"
 
@@ -110,6 +111,45 @@ class Motion {
   float R_[9];
   float t_[3];
 };
+
+/// A moving point's place in the fixed frame and its labels, broadcast.
+struct MovedPoint {
+  MovedPoint(const PointCloud& cloud, std::size_t j, const Vector3& position)
+      : q{broadcast(position.x()), broadcast(position.y()), broadcast(position.z())},
+        f0(hn::Set(kTag, cloud.features[0][j])),
+        f1(hn::Set(kTag, cloud.features[1][j])),
+        f2(hn::Set(kTag, cloud.features[2][j])),
+        f3(hn::Set(kTag, cloud.features[3][j])),
+        f4(hn::Set(kTag, cloud.features[4][j])) {}
+  Point q;
+  Floats f0, f1, f2, f3, f4;
+};
+
+HWY_INLINE Point load_position(const PointCloud& cloud, std::size_t k) {
+  return {hn::LoadU(kTag, cloud.x.data() + k), hn::LoadU(kTag, cloud.y.data() + k),
+          hn::LoadU(kTag, cloud.z.data() + k)};
+}
+
+template <ColorKernel kColor>
+HWY_INLINE Floats label_products(const Constants& constants, const PointCloud& fixed, std::size_t k,
+                                 const MovedPoint& q) {
+  const auto load = [&](std::size_t f) { return hn::LoadU(kTag, fixed.features[f].data() + k); };
+  if constexpr (kColor == ColorKernel::kLinear) {
+    const Floats product =
+        hn::MulAdd(load(0), q.f0, hn::MulAdd(load(1), q.f1, hn::Mul(load(2), q.f2)));
+    return hn::Mul(product, hn::Set(kTag, 1e-5F));
+  } else {
+    const Floats d0 = hn::Sub(load(0), q.f0);
+    const Floats d1 = hn::Sub(load(1), q.f1);
+    const Floats d2 = hn::Sub(load(2), q.f2);
+    const Floats d3 = hn::Sub(load(3), q.f3);
+    const Floats d4 = hn::Sub(load(4), q.f4);
+    const Floats color = hn::MulAdd(d0, d0, hn::MulAdd(d1, d1, hn::Mul(d2, d2)));
+    const Floats gradient = hn::MulAdd(d3, d3, hn::Mul(d4, d4));
+    return exp_of_negative(
+        hn::MulAdd(color, constants.color, hn::Mul(gradient, constants.gradient)));
+  }
+}
 
 /// Double precision sums of single precision lanes.
 template <std::size_t kCount>

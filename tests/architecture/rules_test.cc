@@ -147,6 +147,10 @@ TEST(Rules, MemoryHasOwners) {
   expect_passes(memory_has_owners, "apps/a.cc",
                 {"A(const A&) = delete;", "A(A&&) =delete;", "int new_size;", "// a new one",
                  "#include <new>", "lock.free(x);", "std::make_unique<int>(1);"});
+  const std::vector<std::string> counter = {"void* operator new(std::size_t n) {",
+                                            "std::malloc(n);"};
+  expect_passes(memory_has_owners, "tests/a.cc", counter);
+  expect_bites(memory_has_owners, "core/a.cc", counter);
 }
 
 TEST(Rules, HeadersOpenNoNamespaces) {
@@ -158,6 +162,8 @@ TEST(Rules, HeadersOpenNoNamespaces) {
 TEST(Rules, HeadersAreIncludedOnce) {
   expect_bites(headers_are_included_once, "core/a.h", {"int x;", "// #pragma once"});
   expect_passes(headers_are_included_once, "core/a.h", {"#pragma once"});
+  expect_passes(headers_are_included_once, "core/a.h",
+                {"#if defined(A_H) == defined(HWY_TARGET_TOGGLE)"});
   expect_passes(headers_are_included_once, "core/a.cc", {"int x;"});
 }
 

@@ -27,6 +27,8 @@ inline RegistrationOptions exact_options(Solver solver, ColorKernel color,
   options.length_scales = std::move(length_scales);
   options.max_iterations = {5000};
   options.tolerance_translation = options.tolerance_rotation = 1e-7;
+  options.depth_noise = 0;
+  options.information_scale = 1;
   options.flow.min_step = 1e-8;
   options.flow.min_gradient = 0;
   return options;
