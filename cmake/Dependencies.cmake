@@ -5,6 +5,7 @@
 # embedder's CMake for the same (Install.cmake). Each entry is the arguments of find_package().
 
 set(CVO_SLAM_DEPENDENCIES
+    "Ceres"
     "Eigen3"
     "fmt"
     "hwy"
