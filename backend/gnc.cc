@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "cvo_slam/backend/minimize_internal.h"
 #include "cvo_slam/backend/start_internal.h"
+#include "cvo_slam/backend/weighted_graph_internal.h"
 #include "cvo_slam/core/pose_graph_cost.h"
 
 namespace cvo_slam {
@@ -17,22 +16,9 @@ namespace {
 /// A factor of 1.05 and an error of 10^13 c^2 need fewer.
 constexpr int kMostSolves = 1000;
 
-/// The graph without the edges of weight 0, the information of the others scaled.
-PoseGraph weighted(const PoseGraph& graph, const std::vector<double>& weights) {
-  PoseGraph result;
-  for (const PoseGraphNode& node : graph.nodes()) result.add_node(node);
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (weights[i] <= 0) continue;
-    PoseGraphEdge edge = graph.edges()[i];
-    edge.information *= weights[i];
-    result.add_edge(edge);
-  }
-  return result;
-}
-
 /// One solve with fixed weights.
 void solve_weighted(PoseGraph& graph, const OptimizerOptions& options, Summary& summary) {
-  PoseGraph part = weighted(graph, summary.weights);
+  PoseGraph part = weighted_graph(graph, summary.weights);
   choose_start(part, options);
   const MinimizeReport report = minimize(part, options);
   for (std::size_t i = 0; i < part.nodes().size(); ++i) {

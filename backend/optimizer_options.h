@@ -35,7 +35,7 @@ struct OptimizerOptions {
   Initialization initialization = Initialization::kAuto;
   LinearSolver solver = LinearSolver::kSuiteSparse;
   int max_iterations = 100;
-  double cost_tolerance = 1e-9;
+  double cost_tolerance = 1e-7;
   int window = 20;
   int threads = 1;
 };
