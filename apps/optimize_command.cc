@@ -72,9 +72,9 @@ void choose_initial_poses(InitialPoses initial, PoseGraph& graph, OptimizerOptio
 
 std::string to_table(const OptimizeReport& report) {
   const Summary& summary = report.summary;
-  std::string text = fmt::format("nodes       {} in {} connected part{}\nedges       {}",
-                                 report.nodes, report.parts, report.parts == 1 ? "" : "s",
-                                 report.edges);
+  std::string text =
+      fmt::format("nodes       {} in {} connected part{}\nedges       {}", report.nodes,
+                  report.parts, report.parts == 1 ? "" : "s", report.edges);
   if (summary.rejected_edges() > 0) text += fmt::format(", {} rejected", summary.rejected_edges());
   text += fmt::format("\n{:<12}{:>18}{:>18}\n", "", "before", "after");
   text += fmt::format("{:<12}{:>18.8g}{:>18.8g}   half the sum, residual [dp; 2 vec(dq)]\n", "cost",
@@ -85,8 +85,8 @@ std::string to_table(const OptimizeReport& report) {
   text += fmt::format("iterations  {} in {} solve{}\n", summary.iterations, summary.solves,
                       summary.solves == 1 ? "" : "s");
   text += fmt::format("seconds     {:.3f}\n", summary.seconds);
-  text += fmt::format("reason      {}{}\n", summary.converged ? "" : "NOT CONVERGED: ",
-                      summary.reason);
+  text +=
+      fmt::format("reason      {}{}\n", summary.converged ? "" : "NOT CONVERGED: ", summary.reason);
   return text;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/backend/between_factor_internal.h"
-
 #include <Eigen/Geometry>
 
+#include "cvo_slam/backend/between_factor_internal.h"
 #include "cvo_slam/backend/quaternion_internal.h"
 #include "cvo_slam/core/information.h"
 
@@ -47,8 +46,7 @@ Vector6 BetweenFactor::residual(const PoseVector& a, const PoseVector& b) const 
   return square_root_ * r;
 }
 
-void BetweenFactor::linearize(const PoseVector& a, const PoseVector& b,
-                              LinearizedEdge& out) const {
+void BetweenFactor::linearize(const PoseVector& a, const PoseVector& b, LinearizedEdge& out) const {
   const Quaternion q_a = orientation(a);
   const Quaternion q_b = orientation(b);
   const Matrix3 R_a_world = q_a.toRotationMatrix().transpose();
@@ -59,7 +57,8 @@ void BetweenFactor::linearize(const PoseVector& a, const PoseVector& b,
   r << p_a_b - p_a_b_, 2 * e.vec();
   out.residual = square_root_ * r;
 
-  // e (1, w / 2) = e + (s w + u x w, ...) / 2 with e = (s, u): how a rotation w of frame a turns it.
+  // e (1, w / 2) = e + (s w + u x w, ...) / 2 with e = (s, u): how a rotation w of frame a turns
+  // it.
   const Matrix3 turn = e.w() * Matrix3::Identity() + skew(e.vec());
   const Eigen::Matrix<double, 3, 4> w_a = 2 * right_product_columns(q_a).transpose();
   const Eigen::Matrix<double, 3, 4> w_b = 2 * right_product_columns(q_b).transpose();

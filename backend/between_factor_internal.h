@@ -23,7 +23,8 @@ struct LinearizedEdge {
   PoseJacobian jacobian_b;
 };
 
-/// One measurement: the residual of core/pose_graph_cost.h times the square root of its information.
+/// One measurement: the residual of core/pose_graph_cost.h times the square root of its
+/// information.
 class BetweenFactor {
  public:
   BetweenFactor(const SE3& T_a_b, const Matrix6& information);

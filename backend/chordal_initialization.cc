@@ -104,8 +104,7 @@ bool relax_rotations(const PoseGraph& graph, const std::vector<bool>& held,
 
 /// p_b = p_a + R_a p_ab.
 bool solve_positions(const PoseGraph& graph, const std::vector<bool>& held,
-                     const std::vector<SE3>& rotated,
-                     std::vector<Eigen::RowVector3d>& positions) {
+                     const std::vector<SE3>& rotated, std::vector<Eigen::RowVector3d>& positions) {
   BlockLeastSquares<1> problem(held);
   for (std::size_t i = 0; i < graph.edges().size(); ++i) {
     const auto [a, b] = graph.ends()[i];

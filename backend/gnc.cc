@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/backend/gnc_internal.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "cvo_slam/backend/gnc_internal.h"
 #include "cvo_slam/backend/minimize_internal.h"
 #include "cvo_slam/backend/start_internal.h"
 #include "cvo_slam/backend/weighted_graph_internal.h"
@@ -15,6 +14,10 @@ namespace {
 
 /// A factor of 1.05 and an error of 10^13 c^2 need fewer.
 constexpr int kMostSolves = 1000;
+
+/// While weights still change a solve need not be exact.
+constexpr int kInnerIterations = 2;
+constexpr double kInnerTolerance = 1e-3;
 
 /// One solve with fixed weights.
 void solve_weighted(PoseGraph& graph, const OptimizerOptions& options, Summary& summary) {
@@ -52,8 +55,11 @@ double gnc_weight(double s, double c2, double mu) {
 
 void graduate(PoseGraph& graph, const OptimizerOptions& options, Summary& summary) {
   const double c2 = options.loss_scale * options.loss_scale;
-  OptimizerOptions inner = options;
-  inner.loss = RobustLoss::kNone;
+  OptimizerOptions last = options;
+  last.loss = RobustLoss::kNone;
+  OptimizerOptions inner = last;
+  inner.max_iterations = std::min(inner.max_iterations, kInnerIterations);
+  inner.cost_tolerance = std::max(inner.cost_tolerance, kInnerTolerance);
   summary.weights.assign(graph.edges().size(), 1.0);
   solve_weighted(graph, inner, summary);
   std::vector<double> errors = robust_squared_errors(graph);
@@ -64,11 +70,12 @@ void graduate(PoseGraph& graph, const OptimizerOptions& options, Summary& summar
     for (std::size_t i = 0; i < errors.size(); ++i) {
       summary.weights[i] = gnc_weight(errors[i], c2, mu);
     }
-    solve_weighted(graph, inner, summary);
     if (is_decided(summary.weights)) break;
+    solve_weighted(graph, inner, summary);
     errors = robust_squared_errors(graph);
     mu *= options.gnc_factor;
   }
+  solve_weighted(graph, last, summary);
 }
 
 }  // namespace cvo_slam

@@ -6,9 +6,9 @@
 
 namespace cvo_slam {
 
-/// The weight of a measurement of squared error s under the truncated least-squares loss min(s, c^2)
-/// made less convex as mu grows from 0 to infinity: H. Yang et al., "Graduated Non-Convexity for
-/// Robust Spatial Perception", RA-L 2020, Eq. (14).
+/// The weight of a measurement of squared error s under the truncated least-squares loss min(s,
+/// c^2) made less convex as mu grows from 0 to infinity: H. Yang et al., "Graduated Non-Convexity
+/// for Robust Spatial Perception", RA-L 2020, Eq. (14).
 [[nodiscard]] double gnc_weight(double s, double c2, double mu);
 
 /// Solves the graph again and again, weighting its robust edges, until each of them is believed or

@@ -10,8 +10,8 @@
 namespace cvo_slam {
 
 /// How certain the poses of an optimised graph are: the inverse of the Gauss-Newton Hessian at the
-/// graph's poses, of which only the blocks that are asked for are computed. The matrix is factorised
-/// once; a question costs six or twelve back-substitutions.
+/// graph's poses, of which only the blocks that are asked for are computed. The matrix is
+/// factorised once; a question costs six or twelve back-substitutions.
 class MarginalCovariances {
  public:
   /// `weights` of the edges (Summary::weights), or none for 1. Throws DataError where the edges do

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/backend/minimize_internal.h"
-
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -13,6 +11,7 @@
 #include <ceres/solver.h>
 
 #include "cvo_slam/backend/between_factor_internal.h"
+#include "cvo_slam/backend/minimize_internal.h"
 #include "cvo_slam/backend/pose_manifold_internal.h"
 #include "cvo_slam/core/parallel.h"
 

@@ -19,17 +19,18 @@ struct Summary {
   int iterations = 0;  ///< of Ceres, over all solves
   int solves = 0;      ///< more than one with RobustLoss::kGnc alone
   bool converged = false;
-  std::string reason;             ///< why it ended, in words
-  bool started_chordal = false;   ///< at the chordal poses and not at the given ones
-  std::vector<double> weights;    ///< of each edge, in [0, 1]; below 0.5: taken for wrong
-  double seconds = 0;             ///< wall time
+  std::string reason;            ///< why it ended, in words
+  bool started_chordal = false;  ///< at the chordal poses and not at the given ones
+  std::vector<double> weights;   ///< of each edge, in [0, 1]; below 0.5: taken for wrong
+  double seconds = 0;            ///< wall time
 
   [[nodiscard]] std::size_t rejected_edges() const;
 };
 
-/// Moves the nodes of the graph to the least-squares optimum; held ones (PoseGraph::held_nodes) stay.
-/// The result has the same bytes whatever the number of threads. Throws OptionError where an option
-/// is out of range. A graph in which nothing can be moved is left as it is, and has converged.
+/// Moves the nodes of the graph to the least-squares optimum; held ones (PoseGraph::held_nodes)
+/// stay. The result has the same bytes whatever the number of threads. Throws OptionError where an
+/// option is out of range. A graph in which nothing can be moved is left as it is, and has
+/// converged.
 Summary optimize(PoseGraph& graph, const OptimizerOptions& options = {});
 
 }  // namespace cvo_slam

@@ -18,7 +18,7 @@ enum class RobustLoss {
 
 enum class LinearSolver {
   kSuiteSparse,  ///< CHOLMOD, supernodal where that is faster; calls BLAS
-  kEigen,        ///< Eigen's simplicial LDLT; calls no BLAS, so that none can change the last digits
+  kEigen,  ///< Eigen's simplicial LDLT; calls no BLAS, so that none can change the last digits
 };
 
 /// Where the search starts.
@@ -31,7 +31,7 @@ enum class Initialization {
 struct OptimizerOptions {
   RobustLoss loss = RobustLoss::kNone;
   double loss_scale = 4.1;
-  double gnc_factor = 2.0;
+  double gnc_factor = 1.4;
   Initialization initialization = Initialization::kAuto;
   LinearSolver solver = LinearSolver::kSuiteSparse;
   int max_iterations = 100;

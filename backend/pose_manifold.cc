@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/backend/pose_manifold_internal.h"
-
 #include <Eigen/Geometry>
 
 #include "cvo_slam/backend/between_factor_internal.h"
+#include "cvo_slam/backend/pose_manifold_internal.h"
 #include "cvo_slam/backend/quaternion_internal.h"
 
 namespace cvo_slam {

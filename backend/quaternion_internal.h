@@ -11,9 +11,9 @@ namespace cvo_slam {
 /// The matrix G of q (0, v) = G v, with the product as (x, y, z, w). G^T G is the identity.
 inline Eigen::Matrix<double, 4, 3> right_product_columns(const Eigen::Quaterniond& q) {
   Eigen::Matrix<double, 4, 3> G;
-  G << q.w(), -q.z(), q.y(),   //
-      q.z(), q.w(), -q.x(),    //
-      -q.y(), q.x(), q.w(),    //
+  G << q.w(), -q.z(), q.y(),  //
+      q.z(), q.w(), -q.x(),   //
+      -q.y(), q.x(), q.w(),   //
       -q.x(), -q.y(), -q.z();
   return G;
 }

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/backend/robust_cost_internal.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "cvo_slam/backend/robust_cost_internal.h"
 #include "cvo_slam/core/pose_graph_cost.h"
 
 namespace cvo_slam {

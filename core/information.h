@@ -17,8 +17,8 @@ namespace cvo_slam {
 /// matrix is positive definite. `information` must have no information_problem().
 [[nodiscard]] Matrix6 square_root_of_information(const Matrix6& information);
 
-/// The information of an edge's residual (pose_graph_cost.h), where `information` is that of a right
-/// perturbation of its measurement, T_from_to exp(xi), which is what registration answers.
+/// The information of an edge's residual (pose_graph_cost.h), where `information` is that of a
+/// right perturbation of its measurement, T_from_to exp(xi), which is what registration answers.
 [[nodiscard]] Matrix6 edge_information(const SE3& T_from_to, const Matrix6& information);
 
 }  // namespace cvo_slam

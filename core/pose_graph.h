@@ -32,8 +32,9 @@ struct PoseGraphEdge {
   NodeId from = 0;
   NodeId to = 0;
   SE3 T_from_to;
-  /// Inverse covariance of the residual of pose_graph_cost.h [1/m^2, 1/(m rad), 1/rad^2]; symmetric,
-  /// positive semi-definite. From a registration's answer: edge_information() (information.h).
+  /// Inverse covariance of the residual of pose_graph_cost.h [1/m^2, 1/(m rad), 1/rad^2];
+  /// symmetric, positive semi-definite. From a registration's answer: edge_information()
+  /// (information.h).
   Matrix6 information = Matrix6::Identity();
   EdgeKind kind = EdgeKind::kOdometry;
   bool robust = false;  ///< may be wrong altogether: a robust loss is for such edges alone

@@ -10,9 +10,9 @@ namespace cvo_slam {
 ///
 ///   r = [ R_a^T (p_b - p_a) - p_ab ; 2 vec(q_ab q_est^-1) ],   q_est = q_a^-1 q_b
 ///
-/// [m; rad for small angles: 2 sin(angle / 2)], both parts seen in frame a. Products are Hamilton's,
-/// and of the two quaternions of the rotation q_ab q_est^-1 the one with w >= 0 is taken. This is
-/// the residual of Ceres' own pose-graph example, for which optima are published.
+/// [m; rad for small angles: 2 sin(angle / 2)], both parts seen in frame a. Products are
+/// Hamilton's, and of the two quaternions of the rotation q_ab q_est^-1 the one with w >= 0 is
+/// taken. This is the residual of Ceres' own pose-graph example, for which optima are published.
 [[nodiscard]] Vector6 between_residual(const SE3& T_world_a, const SE3& T_world_b,
                                        const SE3& T_a_b);
 

@@ -117,8 +117,7 @@ void fix(PoseGraph& graph, Words& words) {
     words.fail(fmt::format("{}: a planar graph; only 3D graphs are read, make it {} and {}", tag,
                            kVertex, kEdge));
   }
-  words.fail(
-      fmt::format("unknown entry '{}'; {}, {} and {} are read", tag, kVertex, kEdge, kFix));
+  words.fail(fmt::format("unknown entry '{}'; {}, {} and {} are read", tag, kVertex, kEdge, kFix));
 }
 
 /// Edges may stand above their vertices, therefore one kind of entry after the other.

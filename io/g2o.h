@@ -11,7 +11,8 @@ namespace cvo_slam {
 /// Reads a pose graph in g2o format: a line an entry,
 ///
 ///   VERTEX_SE3:QUAT id  x y z  qx qy qz qw
-///   EDGE_SE3:QUAT from to  x y z  qx qy qz qw  and the 21 values of the upper triangle, by rows, of
+///   EDGE_SE3:QUAT from to  x y z  qx qy qz qw  and the 21 values of the upper triangle, by rows,
+///   of
 ///                          the information in the order [translation; rotation]
 ///   FIX id...
 ///
@@ -22,8 +23,8 @@ namespace cvo_slam {
 ///
 /// Throws InputError, with the number of the line, for an unknown entry (and says so of planar
 /// graphs), a wrong number of values, a value that is not a finite number, a quaternion of length
-/// zero, a vertex that is there twice or not at all, an edge from a vertex to itself, an information
-/// matrix that is not positive semi-definite; and for a file without any vertex.
+/// zero, a vertex that is there twice or not at all, an edge from a vertex to itself, an
+/// information matrix that is not positive semi-definite; and for a file without any vertex.
 [[nodiscard]] PoseGraph read_g2o(const std::filesystem::path& file);
 
 /// Writes a pose graph in g2o format, with as many digits as numbers have: reading the file and

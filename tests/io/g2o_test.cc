@@ -56,8 +56,7 @@ TEST_F(G2o, ReadsVerticesEdgesAndFix) {
 
 TEST_F(G2o, OnlyEdgesToTheNextVertexAreOdometry) {
   const std::string end = " " + kPose + kUnitInformation + "\n";
-  const PoseGraph graph =
-      read(kVertices + "EDGE_SE3:QUAT 0 1" + end + "EDGE_SE3:QUAT 1 0" + end);
+  const PoseGraph graph = read(kVertices + "EDGE_SE3:QUAT 0 1" + end + "EDGE_SE3:QUAT 1 0" + end);
   EXPECT_EQ(graph.edges()[0].kind, EdgeKind::kOdometry);
   EXPECT_FALSE(graph.edges()[0].robust);
   EXPECT_EQ(graph.edges()[1].kind, EdgeKind::kLoop);
