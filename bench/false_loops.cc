@@ -11,7 +11,7 @@
 
 #include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/io/g2o.h"
-#include "cvo_slam/tests/backend/graph_samples.h"
+#include "cvo_slam/bench/graph_samples.h"
 
 namespace cvo_slam {
 namespace {

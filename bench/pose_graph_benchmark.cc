@@ -3,6 +3,7 @@
 //
 // The back-end beside the usual way to write a pose graph in Ceres: automatic derivatives, position
 // and quaternion as blocks of their own, Ceres' manifold and default options.
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -19,7 +20,6 @@
 #include "cvo_slam/core/information.h"
 #include "cvo_slam/core/pose_graph_cost.h"
 #include "cvo_slam/io/g2o.h"
-#include "cvo_slam/tests/test_data.h"
 
 namespace cvo_slam {
 namespace {
@@ -98,7 +98,9 @@ enum class Start { kFile, kChordal };
 /// not on this machine.
 PoseGraph make_graph(benchmark::State& state) {
   const char* name = kGraphs[state.range(0)];
-  const auto file = test_data() / "pose_graphs" / (std::string(name) + ".g2o");
+  const char* data = std::getenv("CVO_SLAM_DATA");
+  const auto file = std::filesystem::path(data != nullptr ? data : "../shared/data") /
+                    "pose_graphs" / (std::string(name) + ".g2o");
   if (!std::filesystem::exists(file)) {
     state.SkipWithError("no graphs; set CVO_SLAM_DATA");
     return {};

@@ -5,7 +5,6 @@
 # embedder's CMake for the same (Install.cmake). Each entry is the arguments of find_package().
 
 set(CVO_SLAM_DEPENDENCIES
-    "Ceres"
     "Eigen3"
     "fmt"
     "hwy"
@@ -13,7 +12,10 @@ set(CVO_SLAM_DEPENDENCIES
     "TBB"
     "yaml-cpp")
 
-foreach(DEPENDENCY IN LISTS CVO_SLAM_DEPENDENCIES)
+# What the back-end links besides: embedders that name their components and not this one do without.
+set(CVO_SLAM_BACKEND_DEPENDENCIES "Ceres")
+
+foreach(DEPENDENCY IN LISTS CVO_SLAM_DEPENDENCIES CVO_SLAM_BACKEND_DEPENDENCIES)
   separate_arguments(ARGUMENTS UNIX_COMMAND "${DEPENDENCY}")
   find_package(${ARGUMENTS} REQUIRED)
 endforeach()

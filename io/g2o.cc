@@ -3,6 +3,7 @@
 #include "cvo_slam/io/g2o.h"
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -132,15 +133,31 @@ void add_entries(PoseGraph& graph, std::string_view tag, Words words) {
   }
 }
 
-std::string format_pose(const SE3& pose) {
-  const Vector3& p = pose.translation();
-  // A rotation matrix and its quaternion are rounded to one another; after a few turns both stay.
+Eigen::Vector4d rounded_quaternion(const SE3& pose) {
+  constexpr double kGrid = 1e14;
   Eigen::Vector4d q = pose.quaternion();
-  for (int turn = 0; turn < 20; ++turn) {
-    const Eigen::Vector4d next = SE3::from_quaternion(q[0], q[1], q[2], q[3], p).quaternion();
+  for (double& value : q) value = std::round(kGrid * value) / kGrid + 0.0;  // no -0
+  return q;
+}
+
+/// A quaternion that is read back, made a rotation matrix and written again as the same digits: on a
+/// grid, coarser than what the way through the matrix costs, normalising brings a quaternion's
+/// length nearer to 1 with every turn, until nothing moves.
+Eigen::Vector4d repeatable_quaternion(const SE3& pose) {
+  Eigen::Vector4d q = rounded_quaternion(pose);
+  constexpr int kMostTurns = 100;  // two or three are usual
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    const SE3 read = SE3::from_quaternion(q[0], q[1], q[2], q[3], Vector3::Zero());
+    const Eigen::Vector4d next = rounded_quaternion(read);
     if (next == q) break;
     q = next;
   }
+  return q;
+}
+
+std::string format_pose(const SE3& pose) {
+  const Vector3& p = pose.translation();
+  const Eigen::Vector4d q = repeatable_quaternion(pose);
   return fmt::format("{} {} {} {} {} {} {}", p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w());
 }
 

@@ -3,18 +3,18 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/backend/gnc_internal.h"
-#include "cvo_slam/tests/backend/graph_samples.h"
+#include "cvo_slam/bench/graph_samples.h"
 
 namespace cvo_slam {
 namespace {
 
 TEST(Gnc, WeightsGrowFromAllAlikeToAllOrNothing) {
   constexpr double kC2 = 16;
-  // Nearly convex: even the largest error, of which mu is made, keeps a weight, as in the sum of
-  // absolute values: half of that of half the error.
+  // Nearly convex: even the largest error, of which mu is made, keeps a weight, and half of it
+  // (a quarter squared) no more than five times that. The formula gives 4.4.
   const double mu_first = kC2 / (2 * 1e4 - kC2);
   EXPECT_GT(gnc_weight(1e4, kC2, mu_first), 0);
-  EXPECT_NEAR(gnc_weight(1e4, kC2, mu_first) / gnc_weight(1e4 / 4, kC2, mu_first), 0.5, 0.2);
+  EXPECT_NEAR(gnc_weight(1e4 / 4, kC2, mu_first) / gnc_weight(1e4, kC2, mu_first), 4.4, 0.1);
   // Nearly the truncated loss itself.
   EXPECT_EQ(gnc_weight(kC2 * 0.99, kC2, 1e3), 1);
   EXPECT_EQ(gnc_weight(kC2 * 1.01, kC2, 1e3), 0);

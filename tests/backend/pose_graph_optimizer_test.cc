@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/tests/backend/graph_samples.h"
+#include "cvo_slam/bench/graph_samples.h"
 
 namespace cvo_slam {
 namespace {

@@ -92,6 +92,10 @@ PoseGraph random_graph(int nodes) {
   };
   PoseGraph graph;
   graph.add_node({0, random_pose(), true});
+  for (const Vector3& axis : {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0.6, 0, -0.8)}) {
+    const Matrix3 half_turn = 2 * axis * axis.transpose() - Matrix3::Identity();
+    graph.add_node({nodes + static_cast<NodeId>(graph.nodes().size()), SE3(half_turn, {0, 0, 0})});
+  }
   for (int id = 1; id < nodes; ++id) {
     graph.add_node({id, random_pose()});
     Matrix6 root;
@@ -110,7 +114,7 @@ TEST_F(G2o, AWrittenFileReadsBackTheSame) {
   write_g2o(first, graph);
   const PoseGraph again = read_g2o(first);
   write_g2o(second, again);
-  EXPECT_EQ(read_text(first), read_text(second));
+  EXPECT_TRUE(read_text(first) == read_text(second));  // EXPECT_EQ would print megabytes
   for (std::size_t i = 0; i < graph.edges().size(); ++i) {
     EXPECT_EQ(again.edges()[i].information, graph.edges()[i].information);
   }
@@ -118,10 +122,10 @@ TEST_F(G2o, AWrittenFileReadsBackTheSame) {
     EXPECT_EQ(again.nodes()[i].fixed, graph.nodes()[i].fixed);
     EXPECT_EQ(again.nodes()[i].T_world_node.translation(),
               graph.nodes()[i].T_world_node.translation());
-    // The matrix from exp() is orthonormal up to some roundings, the one from a quaternion again.
+    // The digits of a quaternion: 14 after the point.
     EXPECT_LT((again.nodes()[i].T_world_node.rotation() - graph.nodes()[i].T_world_node.rotation())
                   .norm(),
-              1e-14);
+              1e-13);
   }
 }
 
