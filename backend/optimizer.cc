@@ -23,10 +23,10 @@ Summary optimize(PoseGraph& graph, const OptimizerOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   Summary summary;
   summary.initial_cost = robust_cost(graph, options);
-  summary.started_chordal = choose_start(graph, options);
   if (options.loss == RobustLoss::kGnc) {
     graduate(graph, options, summary);
   } else {
+    summary.started_chordal = choose_start(graph, options);
     const MinimizeReport report = minimize(graph, options);
     summary.solves = 1;
     summary.iterations = report.iterations;

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/backend/optimizer.h"
-#include "cvo_slam/io/g2o.h"
 #include "cvo_slam/bench/graph_samples.h"
+#include "cvo_slam/io/g2o.h"
 
 namespace cvo_slam {
 namespace {

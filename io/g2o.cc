@@ -140,8 +140,8 @@ Eigen::Vector4d rounded_quaternion(const SE3& pose) {
   return q;
 }
 
-/// A quaternion that is read back, made a rotation matrix and written again as the same digits: on a
-/// grid, coarser than what the way through the matrix costs, normalising brings a quaternion's
+/// A quaternion that is read back, made a rotation matrix and written again as the same digits: on
+/// a grid, coarser than what the way through the matrix costs, normalising brings a quaternion's
 /// length nearer to 1 with every turn, until nothing moves.
 Eigen::Vector4d repeatable_quaternion(const SE3& pose) {
   Eigen::Vector4d q = rounded_quaternion(pose);

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/pose_graph_cost.h"
 #include "cvo_slam/bench/graph_samples.h"
+#include "cvo_slam/core/pose_graph_cost.h"
 
 namespace cvo_slam {
 namespace {

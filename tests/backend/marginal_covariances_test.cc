@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/backend/optimizer.h"
+#include "cvo_slam/bench/graph_samples.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/information.h"
-#include "cvo_slam/bench/graph_samples.h"
 
 namespace cvo_slam {
 namespace {

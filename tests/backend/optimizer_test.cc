@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cvo_slam/bench/graph_samples.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/pose_graph_cost.h"
-#include "cvo_slam/bench/graph_samples.h"
 
 namespace cvo_slam {
 namespace {

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/error.h"
 #include "cvo_slam/bench/graph_samples.h"
+#include "cvo_slam/core/error.h"
 
 namespace cvo_slam {
 namespace {
