@@ -16,8 +16,8 @@ namespace cvo_slam {
 struct Summary {
   double initial_cost = 0;  ///< at the poses that were given
   double final_cost = 0;
-  int iterations = 0;  ///< of Ceres, over all solves
-  int solves = 0;      ///< more than one with RobustLoss::kGnc alone
+  int iterations = 0;  ///< of Ceres, over all solves but the rough ones of RobustLoss::kGnc
+  int solves = 0;      ///< more than one where RobustLoss::kGnc changed its mind at the end
   bool converged = false;
   std::string reason;            ///< why it ended, in words
   bool started_chordal = false;  ///< at the chordal poses and not at the given ones
