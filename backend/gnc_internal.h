@@ -11,8 +11,8 @@ namespace cvo_slam {
 /// for Robust Spatial Perception", RA-L 2020, Eq. (14).
 [[nodiscard]] double gnc_weight(double s, double c2, double mu);
 
-/// Fits the graph again and again, weighting its robust edges, until each of them is believed or not,
-/// then solves it with those that are; fills in the summary but for costs and time.
+/// Fits the graph again and again, weighting its robust edges, until each of them is believed or
+/// not, then solves it with those that are; fills in the summary but for costs and time.
 void graduate(PoseGraph& graph, const OptimizerOptions& options, Summary& summary);
 
 }  // namespace cvo_slam
