@@ -9,6 +9,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_eval_command(app, action);
   add_info_command(app, action);
   add_synth_command(app, action);
+  add_optimize_command(app, action);
   add_bench_command(app, action);
 }
 

@@ -12,7 +12,10 @@ set(CVO_SLAM_DEPENDENCIES
     "TBB"
     "yaml-cpp")
 
-foreach(DEPENDENCY IN LISTS CVO_SLAM_DEPENDENCIES)
+# What the back-end links besides: embedders that name their components and not this one do without.
+set(CVO_SLAM_BACKEND_DEPENDENCIES "Ceres")
+
+foreach(DEPENDENCY IN LISTS CVO_SLAM_DEPENDENCIES CVO_SLAM_BACKEND_DEPENDENCIES)
   separate_arguments(ARGUMENTS UNIX_COMMAND "${DEPENDENCY}")
   find_package(${ARGUMENTS} REQUIRED)
 endforeach()

@@ -5,9 +5,16 @@
 
 include(CMakePackageConfigHelpers)
 set(CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cvo_slam)
-list(TRANSFORM CVO_SLAM_DEPENDENCIES REPLACE "(.+)" "find_dependency(\\1)"
-     OUTPUT_VARIABLE FIND_DEPENDENCIES)
-list(JOIN FIND_DEPENDENCIES "\n" FIND_DEPENDENCIES)
+
+# The dependencies' find_dependency() calls, a line each.
+function(cvo_slam_find_calls OUTPUT)
+  list(TRANSFORM ARGN REPLACE "(.+)" "find_dependency(\\1)")
+  list(JOIN ARGN "\n" CALLS)
+  set(${OUTPUT} "${CALLS}" PARENT_SCOPE)
+endfunction()
+
+cvo_slam_find_calls(FIND_DEPENDENCIES ${CVO_SLAM_DEPENDENCIES})
+cvo_slam_find_calls(FIND_BACKEND_DEPENDENCIES ${CVO_SLAM_BACKEND_DEPENDENCIES})
 
 install(EXPORT cvo_slam_targets NAMESPACE cvo_slam:: DESTINATION ${CONFIG_DIR})
 configure_package_config_file(cmake/cvo_slam-config.cmake.in

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A program of somebody else: writes a trajectory into the folder it is given, reads it back, sees
-// the library's errors as exceptions of its own, and asks the tracker.
+// the library's errors as exceptions of its own, asks the tracker, and optimises a pose graph.
 #include <filesystem>
 #include <iostream>
 #include <numbers>
 
+#include <cvo_slam/backend/optimizer.h>
 #include <cvo_slam/core/error.h>
+#include <cvo_slam/core/pose_graph.h>
 #include <cvo_slam/core/se3.h>
 #include <cvo_slam/frontend/tracker.h>
 #include <cvo_slam/io/tum_trajectory.h>
@@ -43,6 +45,19 @@ bool tracker_answers() {
   return record.status == cvo_slam::TrackingStatus::kLost && !record.reason.empty();
 }
 
+/// Of two measurements that differ, the middle.
+bool optimizer_answers() {
+  const cvo_slam::Matrix3 straight = cvo_slam::Matrix3::Identity();
+  cvo_slam::PoseGraph graph;
+  graph.add_node({0, cvo_slam::SE3()});
+  graph.add_node({1, cvo_slam::SE3()});
+  graph.add_edge({0, 1, cvo_slam::SE3(straight, {1, 0, 0})});
+  graph.add_edge({0, 1, cvo_slam::SE3(straight, {3, 0, 0})});
+  const cvo_slam::Summary summary = cvo_slam::optimize(graph);
+  const cvo_slam::Vector3 middle(2, 0, 0);
+  return summary.converged && (graph.nodes()[1].T_world_node.translation() - middle).norm() < 1e-6;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -53,8 +68,8 @@ int main(int argc, char** argv) {
 
   // Four quarter turns of a circle end where they began, up to the nine digits of the file.
   const double gap = poses.back().T_world_camera.translation().norm();
-  const bool ok =
-      poses.size() == 5 && gap < 1e-8 && missing_file_throws(folder) && tracker_answers();
+  const bool ok = poses.size() == 5 && gap < 1e-8 && missing_file_throws(folder) &&
+                  tracker_answers() && optimizer_answers();
   std::cout << poses.size() << " poses, the circle's gap is " << gap << " m\n";
   return ok ? 0 : 1;
 }

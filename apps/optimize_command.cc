@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cvo_slam/apps/command.h"
+#include "cvo_slam/backend/optimizer.h"
+#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/io/g2o.h"
+
+namespace cvo_slam {
+namespace {
+
+enum class InitialPoses { kAuto, kFile, kChordal, kIdentity };
+
+struct OptimizeArguments {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  OptimizerOptions options;
+  InitialPoses initial = InitialPoses::kAuto;
+  bool json = false;
+};
+
+/// A graph's size and costs, in either convention.
+struct GraphCosts {
+  double ceres = 0;
+  double g2o = 0;
+};
+
+struct OptimizeReport {
+  std::size_t nodes = 0;
+  std::size_t edges = 0;
+  std::size_t parts = 0;
+  GraphCosts before;
+  GraphCosts after;
+  Summary summary;
+};
+
+GraphCosts costs_of(const PoseGraph& graph) { return {graph_cost(graph), graph_chi2_g2o(graph)}; }
+
+std::size_t count_parts(const PoseGraph& graph) {
+  const std::vector<std::size_t> components = graph.components();
+  return *std::max_element(components.begin(), components.end()) + 1;
+}
+
+/// Sets the option for where to start; kIdentity forgets the file's poses, fixed ones apart.
+void choose_initial_poses(InitialPoses initial, PoseGraph& graph, OptimizerOptions& options) {
+  switch (initial) {
+    case InitialPoses::kAuto:
+      options.initialization = Initialization::kAuto;
+      break;
+    case InitialPoses::kFile:
+      options.initialization = Initialization::kGiven;
+      break;
+    case InitialPoses::kChordal:
+      options.initialization = Initialization::kChordal;
+      break;
+    case InitialPoses::kIdentity:
+      options.initialization = Initialization::kAuto;
+      for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
+        if (!graph.nodes()[i].fixed) graph.set_pose(i, SE3());
+      }
+      break;
+  }
+}
+
+std::string to_table(const OptimizeReport& report) {
+  const Summary& summary = report.summary;
+  std::string text =
+      fmt::format("nodes       {} in {} connected part{}\nedges       {}", report.nodes,
+                  report.parts, report.parts == 1 ? "" : "s", report.edges);
+  if (summary.rejected_edges() > 0) text += fmt::format(", {} rejected", summary.rejected_edges());
+  text += fmt::format("\n{:<12}{:>18}{:>18}\n", "", "before", "after");
+  text += fmt::format("{:<12}{:>18.8g}{:>18.8g}   half the sum, residual [dp; 2 vec(dq)]\n", "cost",
+                      report.before.ceres, report.after.ceres);
+  text += fmt::format("{:<12}{:>18.8g}{:>18.8g}   g2o's sum, residual [dp; vec(dq)]\n", "chi2",
+                      report.before.g2o, report.after.g2o);
+  text += fmt::format("start       {}\n", summary.started_chordal ? "chordal" : "given poses");
+  text += fmt::format("iterations  {} in {} solve{}\n", summary.iterations, summary.solves,
+                      summary.solves == 1 ? "" : "s");
+  text += fmt::format("seconds     {:.3f}\n", summary.seconds);
+  text +=
+      fmt::format("reason      {}{}\n", summary.converged ? "" : "NOT CONVERGED: ", summary.reason);
+  return text;
+}
+
+nlohmann::ordered_json to_json(const OptimizeReport& report) {
+  const Summary& summary = report.summary;
+  return {{"nodes", report.nodes},
+          {"edges", report.edges},
+          {"connected_parts", report.parts},
+          {"rejected_edges", summary.rejected_edges()},
+          {"cost", {{"before", report.before.ceres}, {"after", report.after.ceres}}},
+          {"chi2_g2o", {{"before", report.before.g2o}, {"after", report.after.g2o}}},
+          {"started_chordal", summary.started_chordal},
+          {"iterations", summary.iterations},
+          {"solves", summary.solves},
+          {"seconds", summary.seconds},
+          {"converged", summary.converged},
+          {"reason", summary.reason}};
+}
+
+int run_optimize(const OptimizeArguments& arguments) {
+  PoseGraph graph = read_g2o(arguments.input);
+  OptimizerOptions options = arguments.options;
+  choose_initial_poses(arguments.initial, graph, options);
+  OptimizeReport report{graph.nodes().size(), graph.edges().size(), count_parts(graph), {}, {}, {}};
+  report.before = costs_of(graph);
+  report.summary = optimize(graph, options);
+  report.after = costs_of(graph);
+  write_g2o(arguments.output, graph);
+  fmt::print("{}", arguments.json ? to_json(report).dump(2) + "\n" : to_table(report));
+  return report.summary.converged ? kDone : kFailed;
+}
+
+template <typename E>
+auto choice(std::vector<std::pair<std::string, E>> names) {
+  return CLI::CheckedTransformer(std::move(names)).description("");
+}
+
+void add_options(CLI::App& command, OptimizeArguments& arguments) {
+  OptimizerOptions& options = arguments.options;
+  command.add_option("in", arguments.input, "A pose graph in g2o format (SE3:QUAT)")->required();
+  command.add_option("out", arguments.output, "Where the optimised graph is written")->required();
+  command
+      .add_option("--init", arguments.initial,
+                  "auto, file, chordal or identity: where the search starts. auto = at the file's "
+                  "poses or at the chordal ones, whichever cost less; identity = auto with all "
+                  "poses set to the identity first (default auto)")
+      ->transform(choice<InitialPoses>({{"auto", InitialPoses::kAuto},
+                                        {"file", InitialPoses::kFile},
+                                        {"chordal", InitialPoses::kChordal},
+                                        {"identity", InitialPoses::kIdentity}}));
+  command
+      .add_option("--loss", options.loss,
+                  "none, huber, cauchy or gnc: of edges that are not from one vertex to the next; "
+                  "gnc finds wrong ones among them (default none)")
+      ->transform(choice<RobustLoss>({{"none", RobustLoss::kNone},
+                                      {"huber", RobustLoss::kHuber},
+                                      {"cauchy", RobustLoss::kCauchy},
+                                      {"gnc", RobustLoss::kGnc}}));
+  command.add_option("--loss-scale", options.loss_scale,
+                     "Standard deviations above which an edge is robustified (default 4.1)");
+  command
+      .add_option("--solver", options.solver,
+                  "suitesparse or eigen: sparse Cholesky factorisation (default suitesparse)")
+      ->transform(choice<LinearSolver>(
+          {{"suitesparse", LinearSolver::kSuiteSparse}, {"eigen", LinearSolver::kEigen}}));
+  command.add_option("--max-iterations", options.max_iterations,
+                     "Most iterations of a solve (default 100)");
+  command.add_option("--threads", options.threads,
+                     "Threads; the result does not depend on it (default 1)");
+  command.add_flag("--json", arguments.json, "Print one JSON object instead of a table");
+}
+
+}  // namespace
+
+void add_optimize_command(CLI::App& app, Action& action) {
+  const auto arguments = std::make_shared<OptimizeArguments>();
+  CLI::App* command = app.add_subcommand("optimize", "Optimises a pose graph, the back-end alone");
+  add_options(*command, *arguments);
+  command->callback(
+      [&action, arguments] { action = [arguments] { return run_optimize(*arguments); }; });
+}
+
+}  // namespace cvo_slam

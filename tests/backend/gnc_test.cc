@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "cvo_slam/backend/gnc_internal.h"
+#include "cvo_slam/bench/graph_samples.h"
+
+namespace cvo_slam {
+namespace {
+
+TEST(Gnc, WeightsGrowFromAllAlikeToAllOrNothing) {
+  constexpr double kC2 = 16;
+  // Nearly convex: even the largest error, of which mu is made, keeps a weight, and half of it
+  // (a quarter squared) no more than five times that. The formula gives 4.4.
+  const double mu_first = kC2 / (2 * 1e4 - kC2);
+  EXPECT_GT(gnc_weight(1e4, kC2, mu_first), 0);
+  EXPECT_NEAR(gnc_weight(1e4 / 4, kC2, mu_first) / gnc_weight(1e4, kC2, mu_first), 4.4, 0.1);
+  // Nearly the truncated loss itself.
+  EXPECT_EQ(gnc_weight(kC2 * 0.99, kC2, 1e3), 1);
+  EXPECT_EQ(gnc_weight(kC2 * 1.01, kC2, 1e3), 0);
+  // Continuous where its pieces meet.
+  for (const double mu : {0.01, 1.0, 50.0}) {
+    EXPECT_NEAR(gnc_weight(mu / (mu + 1) * kC2 * (1 + 1e-9), kC2, mu), 1, 1e-6);
+    EXPECT_NEAR(gnc_weight((mu + 1) / mu * kC2 * (1 - 1e-9), kC2, mu), 0, 1e-6);
+  }
+}
+
+class FalseLoops : public testing::TestWithParam<double> {};
+
+/// The measure: the error of the poses stays within 10 % of that without false loops.
+TEST_P(FalseLoops, DoNotMoveThePoses) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    SampleGraph clean = make_rounds(60, seed);
+    PoseGraph spoilt = clean.graph;
+    add_false_loops(spoilt, GetParam(), seed);
+    const std::size_t genuine = clean.graph.edges().size();
+    optimize(clean.graph);
+    const Summary summary = optimize(spoilt, {.loss = RobustLoss::kGnc});
+    EXPECT_TRUE(summary.converged) << summary.reason;
+    EXPECT_LT(position_rmse(spoilt, clean.truth), 1.1 * position_rmse(clean.graph, clean.truth));
+    for (std::size_t i = genuine; i < spoilt.edges().size(); ++i) {
+      EXPECT_EQ(summary.weights[i], 0) << "false loop " << i - genuine << ", seed " << seed;
+    }
+    // Of 120 genuine loops one in a hundred lies outside of 99 %: four are three sigma.
+    EXPECT_LE(summary.rejected_edges() - (spoilt.edges().size() - genuine), 4);
+  }
+}
+
+TEST_P(FalseLoops, WouldMoveThePosesWithoutGnc) {
+  SampleGraph sample = make_rounds(60, 1);
+  add_false_loops(sample.graph, GetParam(), 1);
+  optimize(sample.graph, {.max_iterations = 20});
+  EXPECT_GT(position_rmse(sample.graph, sample.truth), 1.0);  // metres, in a room of 4 m
+}
+
+INSTANTIATE_TEST_SUITE_P(Shares, FalseLoops, testing::Values(0.1, 0.2, 0.4), [](const auto& share) {
+  return "Percent" + std::to_string(std::lround(100 * share.param));
+});
+
+TEST(Gnc, WithoutFalseLoopsOneSolveIsEnough) {
+  SampleGraph sample = make_rounds(60, 1);
+  const Summary summary = optimize(sample.graph, {.loss = RobustLoss::kGnc, .loss_scale = 6});
+  EXPECT_TRUE(summary.converged);
+  EXPECT_LE(summary.solves, 2);
+  EXPECT_EQ(summary.rejected_edges(), 0);
+}
+
+}  // namespace
+}  // namespace cvo_slam
