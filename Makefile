@@ -57,6 +57,10 @@ build: build-release ## Build the release preset
 eval: build-release ## Run the full sequences, write docs/benchmarks.md
 	bench/run_benchmarks.sh
 
+.PHONY: robustness
+robustness: build-release ## Run synthetic worlds and thinned sequences, write docs/robustness.md
+	bench/run_robustness.sh
+
 .PHONY: bench
 bench: build-bench ## Micro-benchmarks
 	@for program in build/bench/bench/*_bench; do "$$program" || exit 1; done

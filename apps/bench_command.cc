@@ -56,7 +56,7 @@ int bench_odometry(const BenchArguments& arguments) {
   if (!arguments.out.empty()) make_folder(arguments.out);
 
   cv::setNumThreads(1);  // for the whole process, which is this program's own
-  Progress progress(frames.end - frames.begin, arguments.quiet);
+  Progress progress(frames.size(), arguments.quiet);
   const auto benchmark =
       run_odometry_benchmark(*data, frames, contestants,
                              [&](std::size_t done, std::size_t) { progress.update(done, ""); });

@@ -111,9 +111,11 @@ std::string to_table(const Dataset& data, const OdometryBenchmark& benchmark) {
   std::vector<Row> rows;
   std::transform(benchmark.results.begin(), benchmark.results.end(), std::back_inserter(rows),
                  row_of);
-  std::string text = fmt::format("- sequence: {} ({}), frames {} to {} of {}, camera {}\n",
-                                 data.name(), data.kind(), benchmark.frames.begin,
-                                 benchmark.frames.end - 1, data.size(), data.camera().name);
+  const FrameRange& frames = benchmark.frames;
+  const std::string step = frames.step == 1 ? "" : fmt::format(", 1 of {}", frames.step);
+  std::string text =
+      fmt::format("- sequence: {} ({}), frames {} to {} of {}{}, camera {}\n", data.name(),
+                  data.kind(), frames.begin, frames.end - 1, data.size(), step, data.camera().name);
   text += fmt::format("- protocol: {}\n", protocol());
   text += fmt::format(
       "- decoding a frame's images: median {:.1f} ms, mean {:.1f} ms of CPU, in no row below\n",
@@ -125,13 +127,11 @@ std::string to_table(const Dataset& data, const OdometryBenchmark& benchmark) {
 }
 
 nlohmann::ordered_json to_json(const Dataset& data, const OdometryBenchmark& benchmark) {
-  nlohmann::ordered_json json = {{"sequence", data.name()},
-                                 {"kind", data.kind()},
-                                 {"camera", data.camera().name},
-                                 {"begin", benchmark.frames.begin},
-                                 {"end", benchmark.frames.end},
-                                 {"protocol", protocol()},
-                                 {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
+  nlohmann::ordered_json json = {
+      {"sequence", data.name()},      {"kind", data.kind()},
+      {"camera", data.camera().name}, {"begin", benchmark.frames.begin},
+      {"end", benchmark.frames.end},  {"step", benchmark.frames.step},
+      {"protocol", protocol()},       {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
   json["systems"] = nlohmann::ordered_json::array();
   for (const auto& result : benchmark.results) json["systems"].push_back(to_json(result));
   return json;

@@ -75,11 +75,11 @@ OdometryBenchmark run_odometry_benchmark(const Dataset& data, const FrameRange& 
                                          const BenchmarkProgress& progress) {
   std::vector<Run> runs(contestants.begin(), contestants.end());
   std::vector<double> decoding;
-  for (std::size_t i = frames.begin; i < frames.end; ++i) {
+  for (std::size_t i = frames.begin; i < frames.end; i += frames.step) {
     RgbdFrame frame;
     decoding.push_back(cpu_time_of([&] { frame = data.read(i); }));
     for (auto& run : runs) run.track(frame);
-    if (progress) progress(i + 1 - frames.begin, frames.end - frames.begin);
+    if (progress) progress(decoding.size(), frames.size());
   }
   OdometryBenchmark benchmark{frames, summarize(decoding), {}};
   for (auto& run : runs) benchmark.results.push_back(run.finish(data.reference()));

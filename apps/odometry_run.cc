@@ -48,11 +48,11 @@ double OdometryRun::fps() const {
 OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
                          const TrackerOptions& options, bool quiet) {
   Tracker tracker(data.camera(), options);
-  Progress progress(range.end - range.begin, quiet);
+  Progress progress(range.size(), quiet);
   OdometryRun run;
   const auto start = Clock::now();
   const double cpu_start = process_cpu_seconds();
-  FramePrefetcher frames(data, range.begin, range.end);
+  FramePrefetcher frames(data, range.begin, range.end, range.step);
   while (!frames.done() && !InterruptGuard::requested()) {
     const auto wait_start = Clock::now();
     const RgbdFrame frame = frames.next();

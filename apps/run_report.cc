@@ -104,6 +104,7 @@ nlohmann::ordered_json to_json(const RunReport& report) {
       {"frames",
        {{"first", report.range.begin},
         {"end", report.range.end},
+        {"step", report.range.step},
         {"processed", run.records.size()},
         {"tracked", report.trajectory.poses.size()},
         {"lost", report.trajectory.lost.size()},

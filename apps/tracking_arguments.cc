@@ -46,7 +46,8 @@ void TrackingArguments::add_to(CLI::App& command) {
   command.add_option("dataset", dataset, "Folder of a sequence: TUM RGB-D, ICL-NUIM or 7-Scenes");
   command.add_option("--camera", camera,
                      "Camera file, or name of a built-in camera (default: the sequence's own)");
-  command.add_option("--frames", frames, "Only frames a to b-1, as a:b, a: or :b");
+  command.add_option("--frames", frames,
+                     "Only frames a to b-1, as a:b, a: or :b; every n-th of them as a:b:n");
   command.add_option("--preset", preset, "Options to start from; paper = the CVO paper's protocol")
       ->check(CLI::IsMember({"paper"}));
   command.add_option("--config", config, "YAML file of options; see --dump-config of run");
@@ -81,13 +82,18 @@ FrameRange TrackingArguments::range(std::size_t size) const {
   if (frames.empty()) return {0, size};
   const std::string_view text = frames;
   const std::size_t colon = text.find(':');
+  const std::size_t second = colon == std::string_view::npos ? colon : text.find(':', colon + 1);
+  const auto part = [&](std::size_t first, std::size_t last) {
+    return first == 0 ? std::string_view() : text.substr(first, last - first);
+  };
   const auto begin = parse_end(text.substr(0, colon), 0);
-  const auto end =
-      colon == std::string_view::npos ? std::nullopt : parse_end(text.substr(colon + 1), size);
-  if (!begin || !end) {
-    throw OptionError(fmt::format("--frames {} must be a:b, a: or :b, e.g. 0:100", frames));
+  const auto end = parse_end(part(colon + 1, second), size);
+  const auto step = parse_end(part(second + 1, text.size()), 1);
+  if (colon == std::string_view::npos || !begin || !end || !step || *step == 0) {
+    throw OptionError(
+        fmt::format("--frames {} must be a:b, a:, :b or a:b:step, e.g. 0:100", frames));
   }
-  const FrameRange range{*begin, std::min(*end, size)};
+  const FrameRange range{*begin, std::min(*end, size), *step};
   if (range.begin >= range.end) {
     throw OptionError(fmt::format("--frames {} holds no frame; the sequence has frames 0 to {}",
                                   frames, size - 1));

@@ -24,10 +24,13 @@ struct ProgramOptions {
 
 [[nodiscard]] OptionSet describe(ProgramOptions& options);
 
-/// A range of frames [begin, end) of a sequence.
+/// The frames begin, begin + step, ... below end of a sequence.
 struct FrameRange {
   std::size_t begin = 0;
   std::size_t end = 0;
+  std::size_t step = 1;
+
+  [[nodiscard]] std::size_t size() const { return (end - begin + step - 1) / step; }
 };
 
 /// What `run` and `bench` have in common on the command line: which frames of which sequence, and
@@ -35,7 +38,7 @@ struct FrameRange {
 struct TrackingArguments {
   std::filesystem::path dataset;
   std::string camera;  ///< file or built-in name; empty = the sequence's own
-  std::string frames;  ///< "a:b", "a:" or ":b"; empty = all
+  std::string frames;  ///< "a:b", "a:", ":b" or "a:b:step"; empty = all
   std::string preset;
   std::filesystem::path config;
   std::vector<std::string> settings;  ///< "key=value" each

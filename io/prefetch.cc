@@ -7,8 +7,8 @@
 namespace cvo_slam {
 
 FramePrefetcher::FramePrefetcher(const Dataset& data, std::size_t begin, std::size_t end,
-                                 std::size_t ahead)
-    : data_(data), next_(begin), end_(end) {
+                                 std::size_t step, std::size_t ahead)
+    : data_(data), next_(begin), end_(end), step_(step) {
   for (std::size_t i = 0; i < ahead; ++i) start_one();
 }
 
@@ -23,7 +23,7 @@ void FramePrefetcher::start_one() {
   if (next_ >= end_) return;
   reading_.push_back(
       std::async(std::launch::async, [this, index = next_] { return data_.read(index); }));
-  ++next_;
+  next_ += step_;
 }
 
 }  // namespace cvo_slam

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cvo_slam/bench/graph_samples.h"
 #include "cvo_slam/core/pose_graph_cost.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/tests/apps/run_program.h"
-#include "cvo_slam/bench/graph_samples.h"
 #include "cvo_slam/tests/temporary_folder.h"
 #include "cvo_slam/tests/test_data.h"
 

@@ -138,6 +138,8 @@ TEST_F(RunCommand, FramesTakesARange) {
   ASSERT_EQ(run({"--quiet", "--frames", "3:7"}).exit_code, 0);
   EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), 4U);
   EXPECT_THAT(file("frames.csv"), HasSubstr("\n3,"));
+  ASSERT_EQ(run({"--quiet", "--frames", "0:7:3"}).exit_code, 0);
+  EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), 3U);
 }
 
 TEST_F(RunCommand, JsonReplacesTheTable) {
@@ -223,6 +225,7 @@ TEST_F(RunCommand, BadInputIsOneLineAndExitCode2) {
   expect_error(run({"--set", "tracker.points=many"}), 2, "tracker.points=many");
   expect_error(run({"--frames", "7:3"}), 2, "holds no frame");
   expect_error(run({"--frames", "x"}), 2, "a:b");
+  expect_error(run({"--frames", "0:7:0"}), 2, "a:b:step");
   expect_error(run({"--mode", "magic"}), 2, "magic");
   expect_error(run({"--camera", "no_such.yaml"}), 2, "no_such.yaml");
   expect_error(run_program({"run"}), 2, "no dataset");

@@ -39,11 +39,19 @@ class NumberedFrames : public Dataset {
 TEST(FramePrefetcher, GivesEveryFrameOfTheRangeInOrder) {
   const NumberedFrames data;
   for (const std::size_t ahead : {1U, 3U, 100U}) {
-    FramePrefetcher frames(data, 2, 6, ahead);
+    FramePrefetcher frames(data, 2, 6, 1, ahead);
     std::vector<std::size_t> indices;
     while (!frames.done()) indices.push_back(frames.next().index);
     EXPECT_EQ(indices, std::vector<std::size_t>({2, 3, 4, 5}));
   }
+}
+
+TEST(FramePrefetcher, LeavesOutFramesBetweenSteps) {
+  const NumberedFrames data;
+  FramePrefetcher frames(data, 0, 7, 3);
+  std::vector<std::size_t> indices;
+  while (!frames.done()) indices.push_back(frames.next().index);
+  EXPECT_EQ(indices, std::vector<std::size_t>({0, 3, 6}));
 }
 
 TEST(FramePrefetcher, OfAnEmptyRangeIsDone) {
