@@ -56,8 +56,9 @@ for world in room office house \
   nostructure_texture_near nostructure_texture_far nostructure_notexture_near \
   nostructure_notexture_far; do
   echo "run_robustness.sh: $world" >&2
+  # Recorded once; remove the folder to record again.
   # shellcheck disable=SC2086  # several arguments
-  "$program" synth "$world" "$folder/$world" --frames "$frames" --seed "$seed" --image jpeg $sensor \
+  [ -f "$folder/$world/rgb.txt" ] || "$program" synth "$world" "$folder/$world" --frames "$frames" --seed "$seed" --image jpeg $sensor \
     > /dev/null 2>&1
   "$program" bench odometry "$folder/$world" --systems "$systems" --quiet 2> /dev/null | rows "$world"
 done
