@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/slam/slam_options.h"
+
+namespace cvo_slam {
+
+OptionSet describe(ProximityOptions& o) {
+  return OptionSet()
+      .add("recent", o.recent, {0, 1000}, "keyframes",
+           "A new keyframe is registered to so many before its predecessor. They are what holds "
+           "the drift down; at a keyframe each quarter of the field of view, the fifth has left "
+           "the image.")
+      .add("near", o.near, {0, 1000}, "keyframes",
+           "And to so many of the older ones that see the same. Each costs two registrations.")
+      .add("min_gap", o.min_gap, {1, 100000}, "keyframes",
+           "Of the older ones no two are closer in the sequence than this: neighbours saw the same "
+           "from the same place and would say the same.")
+      .add("points", o.points, {50, 100000}, "",
+           "Points of the moving keyframe, as of a frame that is tracked.")
+      .add("min_expected_overlap", o.min_expected_overlap, {0, 1}, "",
+           "The share of either keyframe's points that must lie in the other's image, by the "
+           "graph's poses, for a registration to be tried. Things in between are not looked for, "
+           "so that this is no less than min_overlap.")
+      .add("min_overlap", o.min_overlap, {0, 1}, "",
+           "A registration with less overlap is not believed. More than the tracker asks for: a "
+           "constraint can be done without, a frame cannot.")
+      .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",
+           "Nor is one whose normalised inner product is less than this share of the usual, the "
+           "mean of the keyframes' with their predecessors.")
+      .add("max_round_trip_translation", o.max_round_trip_translation, {0, 100}, "m",
+           "Each pair is registered both ways. Further apart than this the two answers are not "
+           "believed: the finest kernel is 1.5 cm wide.")
+      .add("max_round_trip_rotation", o.max_round_trip_rotation, {0, 4}, "rad",
+           "The same for the rotation: a centimetre at a metre.")
+      .add("max_error", o.max_error, {0, 1e6}, "",
+           "An answer that differs from the graph by more standard deviations (of the graph along "
+           "its most certain path, and of the registration) than this is not believed. The "
+           "square root of chi-square's 99.9 % is 4.7; drift is not white.");
+}
+
+OptionSet describe(SlamOptions& o) {
+  return OptionSet()
+      .add("schedule", o.schedule,
+           {{"inline", Schedule::kInline}, {"pipelined", Schedule::kPipelined}},
+           "Where the map's work is done: within track(), or in a thread of its own. Results do "
+           "not depend on it.")
+      .add("correction_delay", o.correction_delay, {0, 1000}, "keyframes",
+           "What the map has learnt from a keyframe is applied to the poses that track() answers "
+           "when so many more keyframes have been made: a fixed number, so that no result depends "
+           "on timing. A keyframe's work takes less time than two of them are apart.")
+      .add("optimize_every", o.optimize_every, {1, 100000}, "keyframes",
+           "The newest part of the graph is optimised when so many keyframes have been added.")
+      .add("proximity", describe(o.proximity))
+      .add("optimizer", describe(o.optimizer));
+}
+
+}  // namespace cvo_slam
