@@ -10,7 +10,8 @@ KeyframeMap::KeyframeMap(const PinholeCamera& camera, const RegistrationOptions&
                          int threads, const SlamOptions& options)
     : camera_(camera),
       options_(options),
-      verifier_(registration, threads, options.proximity),
+      noise_{options.noise_translation, options.noise_rotation},
+      verifier_(registration, threads, options.proximity, noise_),
       optimizer_(options.optimizer) {}
 
 SE3 KeyframeMap::add(const TrackedKeyframe& keyframe) {
@@ -32,9 +33,10 @@ void KeyframeMap::add_node(const TrackedKeyframe& keyframe) {
   optimizer_.add_node({node_id(keyframe.frame), T_world_camera});
   if (!keyframe.link) return;
   const KeyframeLink& link = *keyframe.link;
-  optimizer_.add_edge({node_id(link.reference), node_id(keyframe.frame), link.T_reference_keyframe,
-                       edge_information(link.T_reference_keyframe, link.information),
-                       EdgeKind::kOdometry});
+  optimizer_.add_edge(
+      {node_id(link.reference), node_id(keyframe.frame), link.T_reference_keyframe,
+       edge_information(link.T_reference_keyframe, noise_.added_to(link.information)),
+       EdgeKind::kOdometry});
   sum_of_cos_theta_ += link.cos_theta;
   ++odometry_edges_;
 }

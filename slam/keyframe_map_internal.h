@@ -12,6 +12,7 @@
 #include "cvo_slam/slam/keyframe_internal.h"
 #include "cvo_slam/slam/loop_candidate.h"
 #include "cvo_slam/slam/proximity_internal.h"
+#include "cvo_slam/slam/registration_noise_internal.h"
 #include "cvo_slam/slam/slam_options.h"
 
 namespace cvo_slam {
@@ -42,6 +43,7 @@ class KeyframeMap {
 
   PinholeCamera camera_;
   SlamOptions options_;
+  RegistrationNoise noise_;
   PairVerifier verifier_;
   PoseGraphOptimizer optimizer_;
   std::vector<KeyframeView> views_;  // in the order of the graph's nodes

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -16,8 +18,15 @@ namespace {
 using Square = Eigen::Matrix<double, 6, 6>;
 
 PointCloud first_points(const PointCloud& cloud, int count) {
-  PointCloud result = cloud;
-  result.resize(std::min(cloud.size(), static_cast<std::size_t>(count)));
+  const auto n =
+      static_cast<std::ptrdiff_t>(std::min(cloud.size(), static_cast<std::size_t>(count)));
+  const auto head = [n](const std::vector<float>& v) {
+    return std::vector<float>(v.begin(), v.begin() + n);
+  };
+  PointCloud result{head(cloud.x), head(cloud.y), head(cloud.z), {}, head(cloud.u), head(cloud.v)};
+  for (std::size_t i = 0; i < PointCloud::kFeatures; ++i) {
+    result.features[i] = head(cloud.features[i]);
+  }
   return result;
 }
 
@@ -65,8 +74,11 @@ std::string find_fault(const LoopCandidate& c, double usual_cos_theta, const Pro
 }  // namespace
 
 PairVerifier::PairVerifier(const RegistrationOptions& registration, int threads,
-                           const ProximityOptions& options)
-    : options_(options), to_newest_(registration, threads), to_older_(registration, threads) {}
+                           const ProximityOptions& options, const RegistrationNoise& noise)
+    : options_(options),
+      noise_(noise),
+      to_newest_(registration, threads),
+      to_older_(registration, threads) {}
 
 void PairVerifier::set_newest(const PointCloud& cloud) {
   to_newest_.set_fixed(cloud);
@@ -76,8 +88,8 @@ void PairVerifier::set_newest(const PointCloud& cloud) {
 std::optional<PairMeasurement> PairVerifier::verify(const PointCloud& older, const PairPrior& prior,
                                                     double usual_cos_theta,
                                                     LoopCandidate& candidate) {
-  const RegistrationResult back =
-      to_newest_.align(first_points(older, options_.points), prior.T_older_newer.inverse());
+  const RegistrationResult back = to_newest_.align(
+      first_points(older, options_.points), prior.T_older_newer.inverse(), options_.skip_scales);
   // The way back costs nothing new to prepare; where it fails the way there need not be tried.
   if (back.status == RegistrationStatus::kFailed || back.overlap < options_.min_overlap) {
     candidate.overlap = back.overlap;
@@ -88,7 +100,8 @@ std::optional<PairMeasurement> PairVerifier::verify(const PointCloud& older, con
     return std::nullopt;
   }
   to_older_.set_fixed(older);
-  const RegistrationResult there = to_older_.align(newest_, prior.T_older_newer);
+  const RegistrationResult there =
+      to_older_.align(newest_, prior.T_older_newer, options_.skip_scales);
   if (there.status == RegistrationStatus::kFailed) {
     candidate.reason = there.reason;
     return std::nullopt;
@@ -97,7 +110,7 @@ std::optional<PairMeasurement> PairVerifier::verify(const PointCloud& older, con
   // Each way has points of its own; the middle has less noise than either.
   const SE3 T_older_newer =
       interpolate(there.T_fixed_moving, back.T_fixed_moving.inverse(), 0.5).normalized();
-  const PairMeasurement measurement{T_older_newer, there.information};
+  const PairMeasurement measurement{T_older_newer, noise_.added_to(there.information)};
   compare(measurement, prior, candidate);
   candidate.reason = find_fault(candidate, usual_cos_theta, options_);
   candidate.accepted = candidate.reason.empty();

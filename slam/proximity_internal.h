@@ -12,6 +12,7 @@
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/slam/loop_candidate.h"
+#include "cvo_slam/slam/registration_noise_internal.h"
 #include "cvo_slam/slam/slam_options.h"
 
 namespace cvo_slam {
@@ -52,7 +53,7 @@ struct PairMeasurement {
 class PairVerifier {
  public:
   PairVerifier(const RegistrationOptions& registration, int threads,
-               const ProximityOptions& options);
+               const ProximityOptions& options, const RegistrationNoise& noise);
 
   void set_newest(const PointCloud& cloud);
   /// The measurement where it is believed; `candidate` gets all figures and the verdict.
@@ -64,6 +65,7 @@ class PairVerifier {
 
  private:
   ProximityOptions options_;
+  RegistrationNoise noise_;
   Registration to_newest_;
   Registration to_older_;
   PointCloud newest_;  // the first points

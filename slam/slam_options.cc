@@ -17,6 +17,9 @@ OptionSet describe(ProximityOptions& o) {
            "from the same place and would say the same.")
       .add("points", o.points, {50, 100000}, "",
            "Points of the moving keyframe, as of a frame that is tracked.")
+      .add("skip_scales", o.skip_scales, {0, 100}, "",
+           "So many of the coarsest length scales are left out: the graph's poses are a good "
+           "start.")
       .add("min_expected_overlap", o.min_expected_overlap, {0, 1}, "",
            "The share of either keyframe's points that must lie in the other's image, by the "
            "graph's poses, for a registration to be tried. Things in between are not looked for, "
@@ -31,11 +34,11 @@ OptionSet describe(ProximityOptions& o) {
            "Each pair is registered both ways. Further apart than this the two answers are not "
            "believed: the finest kernel is 1.5 cm wide.")
       .add("max_round_trip_rotation", o.max_round_trip_rotation, {0, 4}, "rad",
-           "The same for the rotation: a centimetre at a metre.")
+           "The same for the rotation: 1.5 cm at a metre.")
       .add("max_error", o.max_error, {0, 1e6}, "",
            "An answer that differs from the graph by more standard deviations (of the graph along "
-           "its most certain path, and of the registration) than this is not believed. The "
-           "square root of chi-square's 99.9 % is 4.7; drift is not white.");
+           "its most certain path, and of the registration) than this is not believed. The square "
+           "root of chi-square's 99 % with six degrees of freedom, 16.8.");
 }
 
 OptionSet describe(SlamOptions& o) {
@@ -50,6 +53,12 @@ OptionSet describe(SlamOptions& o) {
            "on timing. A keyframe's work takes less time than two of them are apart.")
       .add("optimize_every", o.optimize_every, {1, 100000}, "keyframes",
            "The newest part of the graph is optimised when so many keyframes have been added.")
+      .add("noise_translation", o.noise_translation, {0, 1}, "m",
+           "Standard deviation of what a registration cannot know of its error, and that is added "
+           "to what it says: depth that is bent, stamps that are not exact, a shutter that rolls. "
+           "By their own account those of fr1/rpy's keyframes are good to 1 mm; the ground truth "
+           "says 7 mm, part of which is its own.")
+      .add("noise_rotation", o.noise_rotation, {0, 1}, "rad", "The same for the rotation.")
       .add("proximity", describe(o.proximity))
       .add("optimizer", describe(o.optimizer));
 }

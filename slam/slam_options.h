@@ -20,20 +20,23 @@ struct ProximityOptions {
   int near = 4;
   int min_gap = 5;
   int points = 1500;
+  int skip_scales = 1;
   double min_expected_overlap = 0.5;
-  double min_overlap = 0.5;
-  double min_cos_theta = 0.5;
+  double min_overlap = 0.45;
+  double min_cos_theta = 0.4;
   double max_round_trip_translation = 0.01;
-  double max_round_trip_rotation = 0.01;
-  double max_error = 6;
+  double max_round_trip_rotation = 0.015;
+  double max_error = 4.1;
 };
 
 struct SlamOptions {
   Schedule schedule = Schedule::kInline;
   int correction_delay = 2;
   int optimize_every = 5;
+  double noise_translation = 0.004;
+  double noise_rotation = 0.004;
   ProximityOptions proximity;
-  OptimizerOptions optimizer = {.loss = RobustLoss::kHuber};
+  OptimizerOptions optimizer = {.loss = RobustLoss::kCauchy};
 };
 
 [[nodiscard]] OptionSet describe(ProximityOptions& options);
