@@ -26,7 +26,7 @@ struct ProximityOptions {
   double min_cos_theta = 0.4;
   double max_round_trip_translation = 0.01;
   double max_round_trip_rotation = 0.015;
-  double max_error = 4.1;
+  double max_error = 8;
 };
 
 struct SlamOptions {
