@@ -45,9 +45,9 @@ double OdometryRun::fps() const {
   return seconds > 0 ? static_cast<double>(records.size()) / seconds : 0;
 }
 
-OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
-                         const TrackerOptions& options, bool quiet) {
-  Tracker tracker(data.camera(), options);
+OdometryRun run_frames(const Dataset& data, const FrameRange& range,
+                       const std::function<FrameRecord(const RgbdFrame&)>& track,
+                       const std::function<void()>& finish, bool quiet) {
   Progress progress(range.size(), quiet);
   OdometryRun run;
   const auto start = Clock::now();
@@ -59,16 +59,24 @@ OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
     const auto track_start = Clock::now();
     run.costs.push_back(
         {std::chrono::duration<double, std::milli>(track_start - wait_start).count(), 0});
-    run.records.push_back(tracker.track(frame));
+    run.records.push_back(track(frame));
     run.costs.back().track_ms = milliseconds_since(track_start);
     progress.update(run.records.size(),
                     run.records.back().status == TrackingStatus::kTracked ? "tracked" : "lost");
   }
+  finish();
   run.seconds = milliseconds_since(start) / 1e3;
   run.cpu_seconds = process_cpu_seconds() - cpu_start;
   run.interrupted = InterruptGuard::requested();
   run.peak_memory_mb = peak_memory_mb();
   return run;
+}
+
+OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
+                         const TrackerOptions& options, bool quiet) {
+  Tracker tracker(data.camera(), options);
+  return run_frames(
+      data, range, [&](const RgbdFrame& frame) { return tracker.track(frame); }, [] {}, quiet);
 }
 
 std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajectory& trajectory,

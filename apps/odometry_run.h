@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,15 +18,15 @@ namespace cvo_slam {
 /// What a frame cost.
 struct FrameCost {
   double read_ms = 0;   ///< waiting for the images, which are decoded ahead
-  double track_ms = 0;  ///< Tracker::track()
+  double track_ms = 0;  ///< tracking it
 };
 
-/// A sequence as the tracker went through it.
+/// A sequence as a tracker went through it.
 struct OdometryRun {
   std::vector<FrameRecord> records;
   std::vector<FrameCost> costs;  ///< of each record
-  double seconds = 0;            ///< wall time of all frames
-  double cpu_seconds = 0;        ///< of the process, over all frames
+  double seconds = 0;            ///< wall time of all frames, and of what comes after the last
+  double cpu_seconds = 0;        ///< of the process, likewise
   double peak_memory_mb = 0;     ///< of the process so far
   bool interrupted = false;
 
@@ -33,8 +34,13 @@ struct OdometryRun {
   [[nodiscard]] double fps() const;
 };
 
-/// Tracks the frames of a range. Ends early, with what there is, where the user interrupts (SIGINT)
-/// while an InterruptGuard lives.
+/// Gives the frames of a range to `track`, and calls `finish` after the last. Ends early, with what
+/// there is, where the user interrupts (SIGINT) while an InterruptGuard lives.
+[[nodiscard]] OdometryRun run_frames(const Dataset& data, const FrameRange& range,
+                                     const std::function<FrameRecord(const RgbdFrame&)>& track,
+                                     const std::function<void()>& finish, bool quiet);
+
+/// The frames of a range in the tracker alone.
 [[nodiscard]] OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
                                        const TrackerOptions& options, bool quiet);
 

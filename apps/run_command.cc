@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "cvo_slam/apps/interrupt.h"
 #include "cvo_slam/apps/odometry_run.h"
 #include "cvo_slam/apps/run_report.h"
+#include "cvo_slam/apps/slam_run.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/options_file.h"
@@ -95,9 +97,17 @@ int run(const RunArguments& arguments) {
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
   prepare_folder(folder);
 
-  RunReport report{*data, range, options, {}, {}, std::nullopt, data->notes()};
-  report.run = run_odometry(*data, range, options.tracker, arguments.quiet);
-  report.trajectory = to_trajectory(report.run.records);
+  RunReport report{*data,        range, options,      arguments.mode, {},
+                   std::nullopt, {},    std::nullopt, data->notes()};
+  if (arguments.mode == "graph") {
+    SlamRun slam = run_slam(*data, range, options, arguments.quiet);
+    report.run = std::move(slam.run);
+    report.trajectory = std::move(slam.trajectory);
+    report.graph = std::move(slam.graph);
+  } else {
+    report.run = run_odometry(*data, range, options.tracker, arguments.quiet);
+    report.trajectory = to_trajectory(report.run.records);
+  }
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
   deliver(arguments, report, folder);
   if (report.run.interrupted) return kInterrupted;
@@ -111,8 +121,10 @@ void add_run_command(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("run", "Track a sequence; write trajectory, figures and plots");
   arguments->tracking.add_to(*command);
-  command->add_option("--mode", arguments->mode, "odometry = the tracker alone")
-      ->check(CLI::IsMember({"odometry"}))
+  command
+      ->add_option("--mode", arguments->mode,
+                   "odometry = the tracker alone; graph = with a graph of keyframes")
+      ->check(CLI::IsMember({"odometry", "graph"}))
       ->capture_default_str();
   command->add_option("--out", arguments->out,
                       "Folder for the files (default results/<sequence>/<time>, linked as latest)");

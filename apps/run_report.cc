@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/evaluation_plots.h"
+#include "cvo_slam/apps/graph_report.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/statistics.h"
 #include "cvo_slam/io/file_output.h"
@@ -35,12 +36,6 @@ std::string_view registration_word(const RegistrationResult& result) {
       return result.reason.empty() ? "" : "failed";
   }
   return "";
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
 }
 
 /// What track() answered at the time, of all segments.
@@ -98,7 +93,7 @@ nlohmann::ordered_json to_json(const RunReport& report) {
       {"sequence", report.data.name()},
       {"kind", report.data.kind()},
       {"camera", report.data.camera().name},
-      {"mode", "odometry"},
+      {"mode", report.mode},
       {"version", CVO_SLAM_VERSION},
       {"interrupted", run.interrupted},
       {"frames",
@@ -119,6 +114,7 @@ nlohmann::ordered_json to_json(const RunReport& report) {
         {"read_ms_median", median_cost(run, &FrameCost::read_ms)},
         {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
         {"peak_memory_mb", run.peak_memory_mb}}}};
+  if (report.graph) json["graph"] = to_json(*report.graph);
   json["evaluation"] = report.evaluation ? to_json(*report.evaluation) : nullptr;
   json["notes"] = report.notes;
   json["options"] = options_json(report.options);
@@ -137,6 +133,7 @@ std::string to_table(const RunReport& report) {
   table += fmt::format("{:<12} {:.1f} % ({} of {} frames)\n", "lost", 100 * report.lost_share(),
                        report.trajectory.lost.size(), run.records.size());
   table += fmt::format("{:<12} {}\n", "keyframes", run.keyframes());
+  if (report.graph) table += to_table(*report.graph);
   table += fmt::format("{:<12} {:.0f} MB\n", "peak memory", run.peak_memory_mb);
   std::vector<std::string> notes = report.notes;
   if (report.evaluation) {
@@ -154,8 +151,8 @@ std::string frames_csv(const OdometryRun& run) {
     const FrameRecord& r = run.records[i];
     csv += fmt::format(
         "{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{:.3f},{:.3f}\n", r.index, r.stamp.to_string(),
-        r.status == TrackingStatus::kTracked ? "tracked" : "lost", quoted(r.reason), r.segment,
-        r.keyframe, quoted(r.keyframe_reason), r.points, registration_word(r.registration),
+        r.status == TrackingStatus::kTracked ? "tracked" : "lost", csv_quoted(r.reason), r.segment,
+        r.keyframe, csv_quoted(r.keyframe_reason), r.points, registration_word(r.registration),
         r.registration.overlap, r.registration.cos_theta, r.registration.iterations,
         run.costs[i].read_ms, run.costs[i].track_ms);
   }
@@ -163,9 +160,12 @@ std::string frames_csv(const OdometryRun& run) {
 }
 
 void remove_run(const std::filesystem::path& folder) {
-  constexpr std::array kFiles = {
-      "trajectory.txt", "trajectory_online.txt", "frames.csv", "config.yaml", "report.json",
-      "trajectory.png", "trajectory.svg",        "errors.png", "errors.svg"};
+  constexpr std::array kFiles = {"trajectory.txt", "trajectory_online.txt",
+                                 "keyframes.txt",  "graph.g2o",
+                                 "loops.csv",      "frames.csv",
+                                 "config.yaml",    "report.json",
+                                 "trajectory.png", "trajectory.svg",
+                                 "errors.png",     "errors.svg"};
   for (const char* name : kFiles) {
     const auto file = folder / name;
     std::error_code error;
@@ -184,6 +184,7 @@ void write_run(const std::filesystem::path& folder, const RunReport& report) {
   write_tum(folder / "trajectory.txt", report.trajectory);
   write_tum(folder / "trajectory_online.txt", online_trajectory(report.run.records));
   write_file(folder / "frames.csv", frames_csv(report.run));
+  if (report.graph) write_graph(folder, *report.graph);
   ProgramOptions options = report.options;
   write_file(folder / "config.yaml", options_to_yaml(describe(options), true));
   write_file(folder / "report.json", to_json(report).dump(2) + "\n");

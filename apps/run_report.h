@@ -11,6 +11,7 @@
 
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/odometry_run.h"
+#include "cvo_slam/apps/slam_run.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 
 namespace cvo_slam {
@@ -20,7 +21,9 @@ struct RunReport {
   const Dataset& data;
   FrameRange range;
   ProgramOptions options;
+  std::string mode;
   OdometryRun run;
+  std::optional<GraphResult> graph;  ///< of the modes that have one
   Trajectory trajectory;
   std::optional<EvaluationReport> evaluation;
   std::vector<std::string> notes;
@@ -43,7 +46,7 @@ struct RunReport {
 void remove_run(const std::filesystem::path& folder);
 
 /// Writes every file of a run into `folder`, which exists: trajectory.txt, trajectory_online.txt,
-/// frames.csv, config.yaml, report.json, and the plots. Throws OutputError.
+/// frames.csv, config.yaml, report.json, the plots, and those of the graph. Throws OutputError.
 void write_run(const std::filesystem::path& folder, const RunReport& report);
 
 }  // namespace cvo_slam

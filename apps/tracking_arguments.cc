@@ -40,7 +40,9 @@ void pin_simd_path(const std::string& word) {
 
 }  // namespace
 
-OptionSet describe(ProgramOptions& o) { return OptionSet().add("tracker", describe(o.tracker)); }
+OptionSet describe(ProgramOptions& o) {
+  return OptionSet().add("tracker", describe(o.tracker)).add("slam", describe(o.slam));
+}
 
 void TrackingArguments::add_to(CLI::App& command) {
   command.add_option("dataset", dataset, "Folder of a sequence: TUM RGB-D, ICL-NUIM or 7-Scenes");
@@ -74,7 +76,7 @@ ProgramOptions TrackingArguments::options() const {
   const OptionSet set = describe(result);
   if (!config.empty()) read_options(config, set);
   for (const auto& setting : settings) apply_setting(set, setting, "tracker.points=2000");
-  if (threads) result.tracker.threads = *threads;
+  if (threads) result.tracker.threads = result.slam.optimizer.threads = *threads;
   return result;
 }
 

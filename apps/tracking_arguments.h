@@ -14,12 +14,14 @@
 #include "cvo_slam/core/options.h"
 #include "cvo_slam/frontend/tracker_options.h"
 #include "cvo_slam/io/dataset.h"
+#include "cvo_slam/slam/slam_options.h"
 
 namespace cvo_slam {
 
 /// The options of the program, as a configuration file holds them.
 struct ProgramOptions {
   TrackerOptions tracker;
+  SlamOptions slam;
 };
 
 [[nodiscard]] OptionSet describe(ProgramOptions& options);

@@ -79,6 +79,7 @@ struct Tracker::Impl {
   PointCloud cloud;           // at its stamp
   PointCloud frame_in_work;   // memory
   Registration registration;  // against the current keyframe
+  KeyframeObserver observer;
   MotionModel motion;
   std::optional<std::size_t> keyframe;  // its index
   SE3 T_world_keyframe;
@@ -114,6 +115,7 @@ void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_came
   select(frame, options.keyframe_points);
   undo_shutter(motion.velocity());
   registration.set_fixed(cloud);
+  if (observer) observer(frame.index, cloud);
 }
 
 /// Keeps a copy of the images: the caller may grab the next ones into the same memory.
@@ -276,6 +278,10 @@ Tracker::Tracker(const Camera& camera, const TrackerOptions& options)
 Tracker::~Tracker() = default;
 Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;
+
+void Tracker::observe_keyframes(KeyframeObserver observer) {
+  impl_->observer = std::move(observer);
+}
 
 FrameRecord Tracker::track(const RgbdFrame& frame) {
   FrameRecord record;

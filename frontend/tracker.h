@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/frontend/registration.h"
@@ -40,6 +42,10 @@ struct FrameRecord {
   RegistrationResult registration;  ///< against the keyframe; T_fixed_moving = T_keyframe_camera
 };
 
+/// Told of each keyframe: the index of its frame and its points, at its stamp. They are lent for
+/// the call.
+using KeyframeObserver = std::function<void(std::size_t frame, const PointCloud& cloud)>;
+
 /// Tracks the pose of an RGB-D camera, frame by frame, against keyframes.
 class Tracker {
  public:
@@ -52,6 +58,11 @@ class Tracker {
   /// Tracks the next frame. Never throws on a bad image: the answer is kLost with a reason.
   /// The first tracked camera is the origin of the world.
   FrameRecord track(const RgbdFrame& frame);
+
+  /// The observer is called within track(), in the order in which keyframes are made, once for each
+  /// but the first of a segment: that is made again, with other points, when the next frame has
+  /// told how the camera moves.
+  void observe_keyframes(KeyframeObserver observer);
 
  private:
   struct Impl;

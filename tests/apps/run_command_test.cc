@@ -134,6 +134,33 @@ TEST_F(RunCommand, PaperPresetRunsToTheEnd) {
   EXPECT_EQ(report["options"]["tracker.registration.solver"], "flow");
 }
 
+TEST_F(RunCommand, GraphModeWritesItsFilesToo) {
+  const std::vector<std::string> options = {"--mode", "graph",
+                                            "--set",  "tracker.keyframe.max_translation=0.01",
+                                            "--set",  "tracker.keyframe.max_rotation=0.01"};
+  const auto result = run(options);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("ATE"), HasSubstr("proximity edges")));
+  expect_every_file();
+  EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), kFrames);
+  const auto report = nlohmann::json::parse(file("report.json"));
+  EXPECT_EQ(report["mode"], "graph");
+  const auto& graph = report["graph"];
+  EXPECT_EQ(read_tum(folder_.path() / "out" / "keyframes.txt").size(), graph["nodes"]);
+  EXPECT_THAT(file("graph.g2o"), HasSubstr("EDGE_SE3:QUAT"));
+  const std::string csv = file("loops.csv");
+  EXPECT_GT(graph["candidates"], 0);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), graph["candidates"].get<long>() + 1);
+
+  std::vector<std::string> again = options;
+  again.insert(again.end(), {"--threads", "2", "--set", "slam.schedule=pipelined"});
+  ASSERT_EQ(run(again, "again").exit_code, 0);
+  for (const char* name :
+       {"trajectory.txt", "trajectory_online.txt", "keyframes.txt", "graph.g2o", "loops.csv"}) {
+    EXPECT_EQ(file(name, "again"), file(name)) << name;
+  }
+}
+
 TEST_F(RunCommand, FramesTakesARange) {
   ASSERT_EQ(run({"--quiet", "--frames", "3:7"}).exit_code, 0);
   EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), 4U);

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/graph_report.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/io/g2o.h"
+#include "cvo_slam/io/tum_trajectory.h"
+
+namespace cvo_slam {
+namespace {
+
+std::string_view name_of(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::kOdometry:
+      return "odometry";
+    case EdgeKind::kProximity:
+      return "proximity";
+    case EdgeKind::kLoop:
+      return "loop";
+  }
+  return "";
+}
+
+auto edges_of_kind(const PoseGraph& graph, EdgeKind kind) {
+  return std::count_if(graph.edges().begin(), graph.edges().end(),
+                       [&](const PoseGraphEdge& edge) { return edge.kind == kind; });
+}
+
+auto accepted(const std::vector<LoopCandidate>& candidates) {
+  return std::count_if(candidates.begin(), candidates.end(),
+                       [](const LoopCandidate& candidate) { return candidate.accepted; });
+}
+
+}  // namespace
+
+std::string csv_quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+nlohmann::ordered_json to_json(const GraphResult& result) {
+  const GraphStatistics& statistics = result.statistics;
+  const Summary& last = statistics.last_full;
+  return {{"nodes", result.graph.nodes().size()},
+          {"odometry_edges", edges_of_kind(result.graph, EdgeKind::kOdometry)},
+          {"proximity_edges", edges_of_kind(result.graph, EdgeKind::kProximity)},
+          {"candidates", result.candidates.size()},
+          {"window_solves", statistics.window_solves},
+          {"window_s", statistics.window_seconds},
+          {"full_solves", statistics.full_solves},
+          {"full_s", statistics.full_seconds},
+          {"last_full",
+           {{"initial_cost", last.initial_cost},
+            {"final_cost", last.final_cost},
+            {"iterations", last.iterations},
+            {"converged", last.converged},
+            {"rejected_edges", last.rejected_edges()}}}};
+}
+
+std::string to_table(const GraphResult& result) {
+  const GraphStatistics& statistics = result.statistics;
+  return fmt::format(
+      "{:<12} {} odometry and {} proximity edges; {} of {} candidates accepted; solved in {:.2f} "
+      "s\n",
+      "graph", edges_of_kind(result.graph, EdgeKind::kOdometry),
+      edges_of_kind(result.graph, EdgeKind::kProximity), accepted(result.candidates),
+      result.candidates.size(), statistics.window_seconds + statistics.full_seconds);
+}
+
+std::string loops_csv(const std::vector<LoopCandidate>& candidates) {
+  std::string csv =
+      "kind,from,to,expected_overlap,overlap,cos_theta,round_trip_m,round_trip_rad,correction_m,"
+      "correction_rad,standard_deviations,verdict,reason\n";
+  for (const LoopCandidate& c : candidates) {
+    csv += fmt::format("{},{},{},{:.2f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{},{}\n",
+                       name_of(c.kind), c.from, c.to, c.expected_overlap, c.overlap, c.cos_theta,
+                       c.round_trip_translation, c.round_trip_rotation, c.correction_translation,
+                       c.correction_rotation, c.error, c.accepted ? "accepted" : "rejected",
+                       csv_quoted(c.reason));
+  }
+  return csv;
+}
+
+void write_graph(const std::filesystem::path& folder, const GraphResult& result) {
+  Trajectory keyframes;
+  for (const Keyframe& keyframe : result.keyframes) {
+    keyframes.poses.push_back({keyframe.stamp, keyframe.T_world_camera});
+  }
+  write_tum(folder / "keyframes.txt", keyframes);
+  write_g2o(folder / "graph.g2o", result.graph);
+  write_file(folder / "loops.csv", loops_csv(result.candidates));
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cvo_slam/apps/slam_run.h"
+
+namespace cvo_slam {
+
+/// A text as a field of a CSV file.
+[[nodiscard]] std::string csv_quoted(const std::string& text);
+
+/// Numbers of nodes, edges and candidates, costs, iterations, times.
+[[nodiscard]] nlohmann::ordered_json to_json(const GraphResult& result);
+
+/// Its rows in the table at the end of a run.
+[[nodiscard]] std::string to_table(const GraphResult& result);
+
+/// One line a candidate.
+[[nodiscard]] std::string loops_csv(const std::vector<LoopCandidate>& candidates);
+
+/// Writes keyframes.txt, graph.g2o and loops.csv. Throws OutputError.
+void write_graph(const std::filesystem::path& folder, const GraphResult& result);
+
+}  // namespace cvo_slam

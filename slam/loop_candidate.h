@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "cvo_slam/core/pose_graph.h"
+
+namespace cvo_slam {
+
+/// A pair of keyframes that might constrain one another, and what became of it.
+struct LoopCandidate {
+  EdgeKind kind = EdgeKind::kProximity;
+  std::size_t from = 0;         ///< frame index of the older keyframe
+  std::size_t to = 0;           ///< frame index of the newer one
+  double expected_overlap = 0;  ///< by the poses of the graph
+  double overlap = 0;           ///< the lower one of the two registrations
+  double cos_theta = 0;         ///< likewise
+  /// How far the two registrations, one each way, are apart [m, rad].
+  double round_trip_translation = 0;
+  double round_trip_rotation = 0;
+  /// How far the answer is from the graph's poses [m, rad, standard deviations].
+  double correction_translation = 0;
+  double correction_rotation = 0;
+  double error = 0;
+  bool accepted = false;
+  std::string reason;  ///< why it was not accepted; empty where it was
+};
+
+}  // namespace cvo_slam

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/slam/slam.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/slam/job_queue_internal.h"
+#include "cvo_slam/slam/keyframe_map_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+SlamOptions checked(SlamOptions options) {
+  describe(options).check();
+  return options;
+}
+
+/// What the map made of a keyframe; written by its job.
+struct MappedKeyframe {
+  int segment = 0;
+  SE3 T_world_camera_tracked;
+  SE3 T_world_camera;
+};
+
+}  // namespace
+
+struct Slam::Impl {
+  Impl(const Camera& camera, const TrackerOptions& tracker_options, const SlamOptions& slam_options)
+      : options(checked(slam_options)),
+        tracker(camera, tracker_options),
+        map(camera.color, tracker_options.registration, tracker_options.threads, options),
+        jobs(options.schedule) {
+    tracker.observe_keyframes(
+        [this](std::size_t frame, const PointCloud& cloud) { see_keyframe(frame, cloud); });
+  }
+
+  SlamOptions options;
+  Tracker tracker;
+  std::map<std::size_t, std::shared_ptr<const PointCloud>> new_clouds;  // by frame; of keyframes
+  std::vector<FrameRecord> tracked;                                     // as the tracker answered
+  std::vector<FrameRecord> online;  // with what was known at the time
+  std::vector<Keyframe> keyframes;  // handed over to the map
+  std::deque<std::shared_ptr<const MappedKeyframe>> on_their_way;
+  int correction_segment = 0;
+  SE3 T_corrected_tracked;  // worlds of that segment
+  KeyframeMap map;
+  JobQueue jobs;  // the last member: its thread ends before what it works on
+
+  void see_keyframe(std::size_t frame, const PointCloud& cloud);
+  FrameRecord track(const RgbdFrame& frame);
+  void hand_over_keyframes_before(std::size_t frame);
+  [[nodiscard]] TrackedKeyframe keyframe_of(const FrameRecord& record) const;
+  void submit(TrackedKeyframe keyframe);
+  void apply_corrections(std::size_t left);
+  [[nodiscard]] const FrameRecord& record_of(std::size_t frame) const;
+  [[nodiscard]] SE3 final_pose(std::size_t record) const;
+};
+
+/// Keeps the points of a new keyframe, or of one that is made again before the map has it.
+void Slam::Impl::see_keyframe(std::size_t frame, const PointCloud& cloud) {
+  if (!keyframes.empty() && frame <= keyframes.back().frame) return;
+  new_clouds[frame] = std::make_shared<const PointCloud>(cloud);
+}
+
+FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
+  if (!tracked.empty() && frame.index <= tracked.back().index) {
+    throw DataError(
+        fmt::format("frame index {} is not above that of the frame before, {}; number "
+                    "the frames in ascending order",
+                    frame.index, tracked.back().index));
+  }
+  FrameRecord record = tracker.track(frame);
+  tracked.push_back(record);
+  if (record.status == TrackingStatus::kTracked) {
+    // A keyframe's points are final when a frame was registered to it.
+    hand_over_keyframes_before(frame.index);
+    if (record.segment == correction_segment) {
+      record.T_world_camera = (T_corrected_tracked * record.T_world_camera).normalized();
+    }
+  }
+  online.push_back(record);
+  return record;
+}
+
+void Slam::Impl::hand_over_keyframes_before(std::size_t frame) {
+  while (!new_clouds.empty() && new_clouds.begin()->first < frame) {
+    TrackedKeyframe keyframe = keyframe_of(record_of(new_clouds.begin()->first));
+    keyframe.cloud = std::move(new_clouds.begin()->second);
+    new_clouds.erase(new_clouds.begin());
+    submit(std::move(keyframe));
+    apply_corrections(static_cast<std::size_t>(options.correction_delay));
+  }
+}
+
+TrackedKeyframe Slam::Impl::keyframe_of(const FrameRecord& record) const {
+  TrackedKeyframe keyframe{record.index,          record.stamp, record.segment,
+                           record.T_world_camera, std::nullopt, nullptr};
+  if (record.keyframe != record.index) {
+    const RegistrationResult& result = record.registration;
+    keyframe.link = {record.keyframe, result.T_fixed_moving, result.information, result.cos_theta};
+  }
+  return keyframe;
+}
+
+void Slam::Impl::submit(TrackedKeyframe keyframe) {
+  keyframes.push_back({keyframe.frame, keyframe.stamp, keyframe.segment, keyframe.T_world_camera});
+  const auto mapped = std::make_shared<MappedKeyframe>();
+  mapped->segment = keyframe.segment;
+  mapped->T_world_camera_tracked = keyframe.T_world_camera;
+  on_their_way.push_back(mapped);
+  jobs.submit([this, mapped, keyframe = std::move(keyframe)] {
+    mapped->T_world_camera = map.add(keyframe);
+  });
+}
+
+/// Waits until at most so many keyframes are on their way, and takes over what is known of the
+/// others.
+void Slam::Impl::apply_corrections(std::size_t left) {
+  if (on_their_way.size() <= left) return;
+  jobs.wait_until_left(left);
+  const MappedKeyframe& newest = *on_their_way[on_their_way.size() - left - 1];
+  correction_segment = newest.segment;
+  T_corrected_tracked = newest.T_world_camera * newest.T_world_camera_tracked.inverse();
+  on_their_way.erase(on_their_way.begin(), on_their_way.end() - static_cast<std::ptrdiff_t>(left));
+}
+
+const FrameRecord& Slam::Impl::record_of(std::size_t frame) const {
+  return *std::lower_bound(
+      tracked.begin(), tracked.end(), frame,
+      [](const FrameRecord& record, std::size_t index) { return record.index < index; });
+}
+
+/// Where the graph has the frame; for one whose keyframe it does not have yet, the online pose.
+SE3 Slam::Impl::final_pose(std::size_t record) const {
+  const PoseGraph& graph = map.graph();
+  const auto pose_of = [&](std::size_t frame) {
+    return graph.nodes()[graph.index_of(node_id(frame))].T_world_node;
+  };
+  const FrameRecord& r = tracked[record];
+  if (graph.has_node(node_id(r.index))) return pose_of(r.index);
+  if (!graph.has_node(node_id(r.keyframe))) return online[record].T_world_camera;
+  return (pose_of(r.keyframe) * r.registration.T_fixed_moving).normalized();
+}
+
+Slam::Slam(const Camera& camera, const TrackerOptions& tracker, const SlamOptions& options)
+    : impl_(std::make_unique<Impl>(camera, tracker, options)) {}
+
+Slam::~Slam() = default;
+Slam::Slam(Slam&&) noexcept = default;
+Slam& Slam::operator=(Slam&&) noexcept = default;
+
+FrameRecord Slam::track(const RgbdFrame& frame) { return impl_->track(frame); }
+
+void Slam::finish() {
+  impl_->hand_over_keyframes_before(std::numeric_limits<std::size_t>::max());
+  impl_->apply_corrections(0);
+  impl_->map.optimize_all();
+}
+
+Trajectory Slam::trajectory(TrajectoryView view) const {
+  if (view == TrajectoryView::kOnline) return to_trajectory(impl_->online);
+  impl_->jobs.wait_until_left(0);
+  std::vector<FrameRecord> records = impl_->tracked;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (records[i].status == TrackingStatus::kTracked) {
+      records[i].T_world_camera = impl_->final_pose(i);
+    }
+  }
+  return to_trajectory(records);
+}
+
+PoseGraph Slam::pose_graph() const {
+  impl_->jobs.wait_until_left(0);
+  return impl_->map.graph();
+}
+
+std::vector<Keyframe> Slam::keyframes() const {
+  impl_->jobs.wait_until_left(0);
+  std::vector<Keyframe> keyframes = impl_->keyframes;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    keyframes[i].T_world_camera = impl_->map.graph().nodes()[i].T_world_node;
+  }
+  return keyframes;
+}
+
+std::vector<LoopCandidate> Slam::loop_candidates() const {
+  impl_->jobs.wait_until_left(0);
+  return impl_->map.candidates();
+}
+
+GraphStatistics Slam::graph_statistics() const {
+  impl_->jobs.wait_until_left(0);
+  return impl_->map.statistics();
+}
+
+}  // namespace cvo_slam

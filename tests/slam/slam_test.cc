@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The façade on exact images of a walk that comes back.
+#include "cvo_slam/slam/slam.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/tests/frontend/synthetic_frames.h"
+#include "cvo_slam/tests/frontend/test_frames.h"
+#include "cvo_slam/tests/frontend/tracker_test_options.h"
+
+namespace cvo_slam {
+namespace {
+
+/// There and back again.
+constexpr std::size_t kTurn = 20;
+constexpr std::size_t kFrames = 2 * kTurn + 1;
+
+std::size_t place(std::size_t index) { return index <= kTurn ? index : 2 * kTurn - index; }
+
+class SlamOnSyntheticFrames : public testing::Test {
+ protected:
+  SlamOnSyntheticFrames() {
+    // Keyframes so near to one another that this short walk makes a graph of them.
+    tracker_.keyframe = {.min_overlap = 0, .max_translation = 0.05, .max_rotation = 0.06};
+    slam_.proximity.min_gap = 2;
+    slam_.optimize_every = 3;
+  }
+
+  static void SetUpTestSuite() {
+    const SyntheticFrames walk{small_camera(320, 240)};
+    frames_.clear();
+    for (std::size_t i = 0; i < kFrames; ++i) frames_.push_back(walk.frame(i, place(i)));
+  }
+  static void TearDownTestSuite() { frames_.clear(); }
+
+  [[nodiscard]] Slam make_slam() const { return Slam(small_camera(320, 240), tracker_, slam_); }
+
+  static void track(Slam& slam, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) slam.track(frames_[i]);
+  }
+
+  [[nodiscard]] Slam run() const {
+    Slam slam = make_slam();
+    track(slam, 0, kFrames);
+    slam.finish();
+    return slam;
+  }
+
+  /// Root of the mean squared distance between the positions and the true ones [m]; the first
+  /// camera is the origin of both.
+  static double error(const Trajectory& trajectory) {
+    const SyntheticFrames walk{small_camera(320, 240)};
+    double sum = 0;
+    for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
+      const SE3 T_true = walk.T_first_camera(0, place(i));
+      sum +=
+          (trajectory.poses[i].T_world_camera.translation() - T_true.translation()).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(trajectory.poses.size()));
+  }
+
+  static void expect_same(const Trajectory& a, const Trajectory& b) {
+    ASSERT_EQ(a.poses.size(), b.poses.size());
+    for (std::size_t i = 0; i < a.poses.size(); ++i) {
+      EXPECT_EQ(a.poses[i].T_world_camera.matrix(), b.poses[i].T_world_camera.matrix()) << i;
+    }
+  }
+
+  static inline std::vector<RgbdFrame> frames_;
+  TrackerOptions tracker_ = tracker_test_options();
+  SlamOptions slam_;
+};
+
+TEST_F(SlamOnSyntheticFrames, TheGraphIsNotWorseThanOdometry) {
+  const Slam slam = run();
+  slam_.proximity.recent = slam_.proximity.near = 0;
+  const double odometry = error(run().trajectory());
+  // A tenth of a pixel at 2 m, 0.8 mm, is what noise may do where odometry has not drifted.
+  EXPECT_LT(error(slam.trajectory()), odometry + 0.0008);
+  EXPECT_LT(error(slam.trajectory()), 0.008) << "a pixel at 2 m";
+}
+
+TEST_F(SlamOnSyntheticFrames, TheWayBackIsConnectedToTheWayThere) {
+  const Slam slam = run();
+  const PoseGraph graph = slam.pose_graph();
+  EXPECT_EQ(graph.nodes().size(), slam.keyframes().size());
+  std::size_t longest = 0;
+  for (const PoseGraphEdge& edge : graph.edges()) {
+    EXPECT_EQ(edge.robust, edge.kind == EdgeKind::kProximity);
+    longest = std::max(longest, static_cast<std::size_t>(edge.to - edge.from));
+  }
+  EXPECT_GT(longest, kTurn);
+}
+
+TEST_F(SlamOnSyntheticFrames, EveryCandidateHasAVerdictAndTheAcceptedOnesAreEdges) {
+  const Slam slam = run();
+  std::size_t accepted = 0;
+  for (const LoopCandidate& candidate : slam.loop_candidates()) {
+    EXPECT_EQ(candidate.accepted, candidate.reason.empty());
+    EXPECT_LT(candidate.from, candidate.to);
+    if (candidate.accepted) ++accepted;
+  }
+  const PoseGraph graph = slam.pose_graph();
+  EXPECT_GT(accepted, 0U);
+  EXPECT_EQ(graph.edges().size(), graph.nodes().size() - 1 + accepted);
+}
+
+TEST_F(SlamOnSyntheticFrames, WhatIsNotBelievedSaysWhy) {
+  const auto reason_with = [this](const std::function<void(ProximityOptions&)>& change) {
+    slam_.proximity = {.min_gap = 2};
+    change(slam_.proximity);
+    std::string reasons;
+    for (const LoopCandidate& candidate : run().loop_candidates()) reasons += candidate.reason;
+    return reasons;
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(reason_with([](auto& o) { o.min_overlap = 1; }), HasSubstr("overlap"));
+  EXPECT_THAT(reason_with([](auto& o) { o.min_cos_theta = 1; }), HasSubstr("cos_theta"));
+  EXPECT_THAT(reason_with([](auto& o) { o.max_round_trip_rotation = 0; }), HasSubstr("and back"));
+  EXPECT_THAT(reason_with([](auto& o) { o.max_error = 0; }), HasSubstr("standard deviations"));
+}
+
+TEST_F(SlamOnSyntheticFrames, SameResultAgainWithTwoThreadsAndPipelined) {
+  const Slam first = run();
+  const auto expect_equal = [&first](const Slam& other) {
+    expect_same(first.trajectory(), other.trajectory());
+    expect_same(first.trajectory(TrajectoryView::kOnline),
+                other.trajectory(TrajectoryView::kOnline));
+    EXPECT_EQ(first.loop_candidates().size(), other.loop_candidates().size());
+  };
+  expect_equal(run());
+  tracker_.threads = slam_.optimizer.threads = 2;
+  expect_equal(run());
+  slam_.schedule = Schedule::kPipelined;
+  expect_equal(run());
+}
+
+TEST_F(SlamOnSyntheticFrames, EveryFrameHasAPose) {
+  const Slam slam = run();
+  EXPECT_EQ(slam.trajectory().poses.size(), kFrames);
+  EXPECT_EQ(slam.trajectory(TrajectoryView::kOnline).poses.size(), kFrames);
+  EXPECT_TRUE(slam.trajectory().lost.empty());
+}
+
+TEST_F(SlamOnSyntheticFrames, FinishMayBeCalledAgainAndTrackingMayGoOn) {
+  for (const Schedule schedule : {Schedule::kInline, Schedule::kPipelined}) {
+    slam_.schedule = schedule;
+    Slam slam = make_slam();
+    track(slam, 0, kTurn);
+    slam.finish();
+    const Trajectory half = slam.trajectory();
+    slam.finish();
+    expect_same(slam.trajectory(), half);
+    EXPECT_EQ(slam.graph_statistics().full_solves, 1);
+    track(slam, kTurn, kFrames);
+    EXPECT_EQ(slam.trajectory().poses.size(), kFrames) << "before the map has all keyframes";
+    slam.finish();
+    EXPECT_EQ(slam.graph_statistics().full_solves, 2);
+    EXPECT_LT(error(slam.trajectory()), 0.008) << "a pixel at 2 m";
+  }
+}
+
+TEST_F(SlamOnSyntheticFrames, LostFramesStayLost) {
+  Slam slam = make_slam();
+  track(slam, 0, 8);
+  RgbdFrame dark = frames_[8];
+  dark.depth = cv::Mat::zeros(240, 320, CV_16U);
+  EXPECT_EQ(slam.track(dark).status, TrackingStatus::kLost);
+  track(slam, 9, 16);
+  slam.finish();
+  EXPECT_EQ(slam.trajectory().poses.size(), 15U);
+  ASSERT_EQ(slam.trajectory().lost.size(), 1U);
+  EXPECT_THAT(slam.trajectory().lost[0].reason, testing::HasSubstr("0 points"));
+}
+
+TEST_F(SlamOnSyntheticFrames, SegmentsAreNotConnected) {
+  tracker_.lost.restart_after = 2;
+  const SyntheticFrames walk{small_camera(320, 240)};
+  constexpr std::size_t kElsewhere = 150;  // another wall
+  Slam slam = make_slam();
+  track(slam, 0, 10);
+  for (std::size_t i = 10; i < 20; ++i) slam.track(walk.frame(i, kElsewhere + i));
+  slam.finish();
+  EXPECT_EQ(slam.keyframes().front().segment, 0);
+  EXPECT_EQ(slam.keyframes().back().segment, 1);
+  const auto components = slam.pose_graph().components();
+  EXPECT_EQ(components.back(), 1U);
+  const Trajectory trajectory = slam.trajectory();
+  EXPECT_EQ(trajectory.poses.size() + trajectory.lost.size(), 20U);
+  EXPECT_THAT(trajectory.lost.back().reason, testing::Not(testing::IsEmpty()));
+}
+
+TEST_F(SlamOnSyntheticFrames, OfNothingIsEmpty) {
+  Slam slam = make_slam();
+  slam.finish();
+  EXPECT_TRUE(slam.trajectory().poses.empty());
+  EXPECT_TRUE(slam.keyframes().empty());
+  EXPECT_TRUE(slam.pose_graph().nodes().empty());
+  EXPECT_TRUE(slam.loop_candidates().empty());
+}
+
+TEST_F(SlamOnSyntheticFrames, IndicesMustAscend) {
+  Slam slam = make_slam();
+  track(slam, 0, 2);
+  EXPECT_THROW(slam.track(frames_[1]), DataError);
+}
+
+TEST_F(SlamOnSyntheticFrames, ImpossibleOptionsAreErrors) {
+  slam_.optimize_every = 0;
+  EXPECT_THROW(make_slam(), OptionError);
+}
+
+}  // namespace
+}  // namespace cvo_slam
