@@ -194,19 +194,19 @@ std::string Tracker::Impl::register_frame(const RgbdFrame& frame, FrameRecord& r
     return fmt::format("its stamp is not after the stamp {} of the last tracked frame",
                        motion.last_stamp().to_string());
   }
-  if (options.prediction == Prediction::kIdentity)
-    return register_from(T_world_keyframe, 0, record);
-  const int skip = motion.is_moving() ? options.recovery_scales : 0;
-  const SE3 T_predicted = motion.predict(record.stamp);
-  std::string fault = register_from(T_predicted, skip, record);
-  if (!fault.empty() && skip > 0) fault = register_from(T_predicted, 0, record);
-  if (!fault.empty() && motion.is_moving()) fault = register_from(motion.last_pose(), 0, record);
+  const bool predict = options.prediction == Prediction::kConstantVelocity;
+  const bool moving = predict && motion.is_moving();
+  const int skip = moving ? options.recovery_scales : 0;
+  const SE3 T_init = predict ? motion.predict(record.stamp) : T_world_keyframe;
+  std::string fault = register_from(T_init, skip, record);
+  if (!fault.empty() && skip > 0) fault = register_from(T_init, 0, record);
+  if (!fault.empty() && moving) fault = register_from(motion.last_pose(), 0, record);
   if (!fault.empty() && !keyframe_is_last_tracked) {
     promote_last_tracked();
     record.promoted_keyframe = last_tracked.index;
     fault = register_from(motion.last_pose(), 0, record);
   }
-  if (fault.empty() && keyframe_lacks_velocity) {
+  if (fault.empty() && predict && keyframe_lacks_velocity) {
     fault = register_to_first_keyframe(frame, record);
   }
   if (!fault.empty()) motion.stop();
