@@ -18,8 +18,8 @@ class MarginalCovariances {
   /// not determine every node, as where information matrices are singular.
   explicit MarginalCovariances(const PoseGraph& graph, const std::vector<double>& weights = {});
   ~MarginalCovariances();
-  MarginalCovariances(MarginalCovariances&&) noexcept;
-  MarginalCovariances& operator=(MarginalCovariances&&) noexcept;
+  MarginalCovariances(MarginalCovariances&& other) noexcept;
+  MarginalCovariances& operator=(MarginalCovariances&& other) noexcept;
 
   /// Covariance of a right perturbation T_world_node exp(xi), xi = [translation; rotation]
   /// [m^2, m rad, rad^2], given the held nodes, whose own is zero. Throws DataError for an unknown

@@ -21,8 +21,8 @@ constexpr std::size_t kMaxChunks = 16;
 void add(const PairSums& part, PairSums& total) {
   constexpr std::size_t kCount = sizeof(PairSums) / sizeof(double);
   using Array = std::array<double, kCount>;
-  Array sum = std::bit_cast<Array>(total);
-  const Array addend = std::bit_cast<Array>(part);
+  auto sum = std::bit_cast<Array>(total);
+  const auto addend = std::bit_cast<Array>(part);
   for (std::size_t i = 0; i < kCount; ++i) sum[i] += addend[i];
   total = std::bit_cast<PairSums>(sum);
 }

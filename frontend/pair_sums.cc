@@ -111,21 +111,31 @@ struct LaneSums {
 /// The positions in a row or group from a lane on.
 template <typename Positions>
 HWY_INLINE Point load(const Positions& from, std::size_t lane) {
-  return {hn::Load(kTag, from.x + lane), hn::Load(kTag, from.y + lane),
-          hn::Load(kTag, from.z + lane)};
+  return {hn::Load(kTag, from.x.data() + lane), hn::Load(kTag, from.y.data() + lane),
+          hn::Load(kTag, from.z.data() + lane)};
 }
 
 HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* begin,
                              const PairTable::Row* end, std::size_t lane, const Point& q) {
   const Floats zero = hn::Zero(kTag);
   const Floats one = hn::Set(kTag, 1.0F);
-  Floats matched = zero, value = zero, w_sum = zero, x = zero, y = zero, z = zero;
-  Floats xx = zero, xy = zero, xz = zero, yy = zero, yz = zero, zz = zero;
+  Floats matched = zero;
+  Floats value = zero;
+  Floats w_sum = zero;
+  Floats x = zero;
+  Floats y = zero;
+  Floats z = zero;
+  Floats xx = zero;
+  Floats xy = zero;
+  Floats xz = zero;
+  Floats yy = zero;
+  Floats yz = zero;
+  Floats zz = zero;
   for (const PairTable::Row* row = begin; row != end; ++row) {
     const Point r = load(*row, lane) - q;
     const Floats k = constants.k(dot(r, r));
     const auto inside = hn::Gt(k, constants.threshold);
-    const Floats c = hn::IfThenElseZero(inside, hn::Load(kTag, row->c + lane));
+    const Floats c = hn::IfThenElseZero(inside, hn::Load(kTag, row->c.data() + lane));
     matched = hn::IfThenElse(inside, one, matched);
     value = hn::MulAdd(c, hn::Sub(k, constants.threshold), value);
     const Floats w = hn::Mul(c, k);
@@ -277,7 +287,8 @@ std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_m
         const Point r = load(row, lane) - q;
         const Floats k = constants.k(dot(r, r));
         const auto inside = hn::Gt(k, constants.threshold);
-        const Floats w = hn::IfThenElseZero(inside, hn::Mul(k, hn::Load(kTag, row.c + lane)));
+        const Floats w =
+            hn::IfThenElseZero(inside, hn::Mul(k, hn::Load(kTag, row.c.data() + lane)));
         // Without the check 0 times the square of a far-away padding could be 0 times infinity.
         const Point near{hn::IfThenElseZero(inside, r.x), hn::IfThenElseZero(inside, r.y),
                          hn::IfThenElseZero(inside, r.z)};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,15 +29,22 @@ struct NeighborLists {
 class PairTable {
  public:
   static constexpr std::size_t kLanes = 16;  ///< floats in the widest vector
+  using Lanes = std::array<float, kLanes>;
 
   /// One neighbour of each of a group's moving points; where a point has fewer than others, c is 0
   /// and the position far away.
   struct alignas(64) Row {
-    float x[kLanes], y[kLanes], z[kLanes], c[kLanes];
+    Lanes x;
+    Lanes y;
+    Lanes z;
+    Lanes c;
   };
   struct alignas(64) Group {
-    float x[kLanes], y[kLanes], z[kLanes];  ///< of the moving points, in their own frame [m]
-    std::size_t row_begin, row_end;
+    Lanes x;  ///< of the moving points, in their own frame [m]
+    Lanes y;
+    Lanes z;
+    std::size_t row_begin;
+    std::size_t row_end;
   };
 
   /// Finds the neighbours of the first `count` moving points within the grid's radius, which must

@@ -19,7 +19,7 @@ namespace {
 constexpr int kCell = 4;
 /// Side of a bucket [cells]. At 640x480 a round of all buckets gives 768 points.
 constexpr int kBucketCells = 5;
-constexpr std::size_t kBucketSize = kBucketCells * kBucketCells;
+constexpr std::size_t kBucketSize = std::size_t{kBucketCells} * kBucketCells;
 /// Pixels from the border that are not used: the gradient and the depth check need neighbours. [px]
 constexpr int kBorder = 4;
 /// Sobel's operator gives eight times the gradient in 8-bit values a pixel.
@@ -94,8 +94,8 @@ PointSelector::PointSelector(const Camera& camera, const SelectionOptions& optio
       options_(options),
       rays_(rays_of(camera.color)),
       bucket_columns_(buckets_along(camera.color.width)),
-      round_(scattered(
-          static_cast<std::size_t>(bucket_columns_ * buckets_along(camera.color.height)))) {
+      round_(scattered(static_cast<std::size_t>(bucket_columns_) *
+                       static_cast<std::size_t>(buckets_along(camera.color.height)))) {
   candidates_.resize(round_.size() * kBucketSize);
   next_.resize(round_.size());
 }
@@ -142,8 +142,8 @@ void PointSelector::rank_bands() {
     for (int column = 0; column < columns; ++column) {
       const Candidate& strongest = best[static_cast<std::size_t>(column)];
       if (strongest.u == 0 || depth_.at<std::uint16_t>(strongest.v, strongest.u) == 0) continue;
-      offer(static_cast<std::size_t>(row / kBucketCells * bucket_columns_ + column / kBucketCells),
-            strongest);
+      const int bucket = row / kBucketCells * bucket_columns_ + column / kBucketCells;
+      offer(static_cast<std::size_t>(bucket), strongest);
     }
   }
 }

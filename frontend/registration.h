@@ -91,8 +91,8 @@ class Registration {
   /// Throws OptionError where an option is out of range.
   explicit Registration(const RegistrationOptions& options = {}, int threads = 1);
   ~Registration();
-  Registration(Registration&&) noexcept;
-  Registration& operator=(Registration&&) noexcept;
+  Registration(Registration&& other) noexcept;
+  Registration& operator=(Registration&& other) noexcept;
 
   /// Makes `fixed` the cloud that others are aligned to. It is copied.
   void set_fixed(const PointCloud& fixed);

@@ -92,9 +92,12 @@ HWY_INLINE Point cross(const Point& a, const Point& b) {
 class Motion {
  public:
   explicit Motion(const SE3& T) {
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) R_[3 * i + j] = static_cast<float>(T.rotation()(i, j));
-      t_[i] = static_cast<float>(T.translation()[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      for (std::size_t j = 0; j < 3; ++j) {
+        R_[3 * i + j] = static_cast<float>(T.rotation()(row, static_cast<Eigen::Index>(j)));
+      }
+      t_[i] = static_cast<float>(T.translation()[row]);
     }
   }
   [[nodiscard]] HWY_INLINE Point operator*(const Point& p) const {
@@ -102,14 +105,14 @@ class Motion {
   }
 
  private:
-  [[nodiscard]] HWY_INLINE Floats row(int i, const Point& p) const {
-    const auto at = [&](int j) { return hn::Set(kTag, R_[3 * i + j]); };
+  [[nodiscard]] HWY_INLINE Floats row(std::size_t i, const Point& p) const {
+    const auto at = [&](std::size_t j) { return hn::Set(kTag, R_[3 * i + j]); };
     return hn::MulAdd(at(0), p.x,
                       hn::MulAdd(at(1), p.y, hn::MulAdd(at(2), p.z, hn::Set(kTag, t_[i]))));
   }
 
-  float R_[9];
-  float t_[3];
+  std::array<float, 9> R_;
+  std::array<float, 3> t_;
 };
 
 /// A moving point's place in the fixed frame and its labels, broadcast.
@@ -156,12 +159,12 @@ template <std::size_t kCount>
 class Totals {
  public:
   HWY_INLINE void add(Floats v) {
-    HWY_ALIGN float lanes[HWY_MAX_BYTES / sizeof(float)];
-    hn::Store(v, kTag, lanes);
-    double* const sum = sums_ + kDoubles * next_++;
+    HWY_ALIGN std::array<float, HWY_MAX_BYTES / sizeof(float)> lanes;
+    hn::Store(v, kTag, lanes.data());
+    double* const sum = sums_.data() + kDoubles * next_++;
     auto total = hn::Load(kDoubleTag, sum);
     for (std::size_t i = 0; i < hn::Lanes(kTag); i += hn::Lanes(kDoubleTag)) {
-      total = hn::Add(total, hn::PromoteTo(kDoubleTag, hn::Load(kHalfTag, lanes + i)));
+      total = hn::Add(total, hn::PromoteTo(kDoubleTag, hn::Load(kHalfTag, lanes.data() + i)));
     }
     hn::Store(total, kDoubleTag, sum);
   }
@@ -188,7 +191,7 @@ class Totals {
   static constexpr hn::Rebind<float, DoubleTag> kHalfTag{};
   static constexpr std::size_t kDoubles = HWY_MAX_BYTES / sizeof(double);
 
-  HWY_ALIGN double sums_[kCount * kDoubles] = {};
+  HWY_ALIGN std::array<double, kCount * kDoubles> sums_{};
   std::size_t next_ = 0;
 };
 

@@ -180,7 +180,7 @@ std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, int ski
     record.registration = registration.align(cloud, T_init, skip);
   }
   record.T_world_camera = T_world_keyframe * record.registration.T_fixed_moving;
-  const std::string fault = find_fault(record.registration, options.lost);
+  std::string fault = find_fault(record.registration, options.lost);
   if (!fault.empty()) return fault;
   return find_motion_fault(motion.last_pose(), record.T_world_camera,
                            seconds_between(motion.last_stamp(), record.stamp), options.lost);

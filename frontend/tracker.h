@@ -52,8 +52,8 @@ class Tracker {
   /// Throws OptionError where the camera or an option is impossible.
   explicit Tracker(const Camera& camera, const TrackerOptions& options = {});
   ~Tracker();
-  Tracker(Tracker&&) noexcept;
-  Tracker& operator=(Tracker&&) noexcept;
+  Tracker(Tracker&& other) noexcept;
+  Tracker& operator=(Tracker&& other) noexcept;
 
   /// Tracks the next frame. Never throws on a bad image: the answer is kLost with a reason.
   /// The first tracked camera is the origin of the world.

@@ -46,8 +46,8 @@ class Slam {
   explicit Slam(const Camera& camera, const TrackerOptions& tracker = {},
                 const SlamOptions& options = {});
   ~Slam();
-  Slam(Slam&&) noexcept;
-  Slam& operator=(Slam&&) noexcept;
+  Slam(Slam&& other) noexcept;
+  Slam& operator=(Slam&& other) noexcept;
 
   /// Tracks the next frame. Never throws on a bad image: the answer is kLost with a reason. So is
   /// that to a frame whose index is not larger than that of the frame before. T_world_camera has
