@@ -14,8 +14,8 @@
 namespace cvo_slam {
 namespace {
 
-int fail(ExitCode code, const std::string& problem) {
-  std::fprintf(stderr, "cvo_slam: error: %s\n", problem.c_str());
+int fail(ExitCode code, const char* problem) {
+  std::fprintf(stderr, "cvo_slam: error: %s\n", problem);
   return code;
 }
 
@@ -35,23 +35,30 @@ void secure_standard_streams() {
   }
 }
 
-int main(int argc, char** argv) {
-  secure_standard_streams();
+int parse_and_run(int argc, char** argv) {
   CLI::App app{"cvo_slam: RGB-D SLAM with Continuous Visual Odometry", "cvo_slam"};
   app.require_subcommand(1);
   app.set_version_flag("--version", "cvo_slam " CVO_SLAM_VERSION);
   Action action;
   add_commands(app, action);
-
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& page) {
     return after_flush(app.exit(page));  // prints the help page or the version
   } catch (const CLI::ParseError& error) {
-    return fail(kBadInput, usage_message(app, error));
+    return fail(kBadInput, usage_message(app, error).c_str());
   }
+  return after_flush(action());
+}
+
+}  // namespace
+}  // namespace cvo_slam
+
+int main(int argc, char** argv) {
+  using namespace cvo_slam;
   try {
-    return after_flush(action());
+    secure_standard_streams();
+    return parse_and_run(argc, argv);
   } catch (const InputError& error) {
     return fail(kBadInput, error.what());
   } catch (const OptionError& error) {
@@ -60,8 +67,3 @@ int main(int argc, char** argv) {
     return fail(kFailed, error.what());
   }
 }
-
-}  // namespace
-}  // namespace cvo_slam
-
-int main(int argc, char** argv) { return cvo_slam::main(argc, argv); }

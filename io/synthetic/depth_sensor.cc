@@ -72,6 +72,19 @@ DepthSensor::NoiseFields DepthSensor::noise_fields(std::uint32_t seed) const {
   return {field(options_.axial, 1), field(options_.lateral, 2), field(options_.lateral, 3)};
 }
 
+/// Not 0 where depth is missing without any reason in the scene; empty where it never is.
+cv::Mat DepthSensor::gaps(std::uint32_t seed) const {
+  if (options_.missing == 0) return {};
+  constexpr double kPatch = 8;  // [px]; standard deviation of the filter, patches are about thrice
+  const cv::Mat field =
+      noise_field(derived_seed(seed, 4), {camera_.color.width, camera_.color.height}, kPatch);
+  std::vector<float> levels(field.begin<float>(), field.end<float>());
+  const auto missing =
+      static_cast<std::ptrdiff_t>(options_.missing * static_cast<double>(levels.size()));
+  std::nth_element(levels.begin(), levels.begin() + missing, levels.end());
+  return field < levels[static_cast<std::size_t>(missing)];
+}
+
 /// The surfaces' numbers, -1 where the projector's light does not come.
 cv::Mat DepthSensor::labels(const Picture& picture) const {
   cv::Mat labels(picture.depth.size(), CV_32SC1, cv::Scalar(0));
@@ -133,10 +146,12 @@ std::uint16_t DepthSensor::to_units(double depth) const {
 cv::Mat DepthSensor::measure(const Picture& picture, std::uint32_t seed) const {
   const NoiseFields noise = noise_fields(seed);
   const cv::Mat surfaces = labels(picture);
+  const cv::Mat gaps = DepthSensor::gaps(seed);
   cv::Mat units = cv::Mat::zeros(picture.depth.size(), CV_16UC1);
   for (int y = 0; y < units.rows; ++y) {
     for (int x = 0; x < units.cols; ++x) {
       const cv::Point at(x, y);
+      if (!gaps.empty() && gaps.at<std::uint8_t>(at) != 0) continue;
       const cv::Point seen = noise.right.empty() ? at : displaced(picture, surfaces, noise, at);
       const double depth = picture.depth.at<double>(seen);
       if (depth <= 0 || surfaces.at<std::int32_t>(seen) < 0 || !returns_light(picture, seen)) {

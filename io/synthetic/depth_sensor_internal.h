@@ -45,6 +45,7 @@ class DepthSensor {
   };
 
   [[nodiscard]] NoiseFields noise_fields(std::uint32_t seed) const;
+  [[nodiscard]] cv::Mat gaps(std::uint32_t seed) const;
   [[nodiscard]] cv::Mat labels(const Picture& picture) const;
   [[nodiscard]] cv::Point displaced(const Picture& picture, const cv::Mat& labels,
                                     const NoiseFields& noise, const cv::Point& at) const;

@@ -42,8 +42,8 @@ void add_walls(SceneBuilder& builder) {
   const Texture living = paint({0.74, 0.78, 0.72});
   const Texture kitchen = paint({0.82, 0.80, 0.74});
   const Texture outside = materials::brickwork();
-  const auto wall = [&](Vector3 from, Vector3 to, const Texture& left, const Texture& right,
-                        std::vector<double> openings = {}) {
+  const auto wall = [&](const Vector3& from, const Vector3& to, const Texture& left,
+                        const Texture& right, std::vector<double> openings = {}) {
     partition(builder, {from, to, kCeiling, left, right, std::move(openings)});
   };
   // Around the house, against the clock: the inside is on the left.
@@ -108,6 +108,7 @@ std::vector<Vector3> corners() {
                                                             {-kDoor, kAisle},
                                                             {-kDoor + 1.5, kAisle}}};
   std::vector<Vector3> result;
+  result.reserve(kPlan.size());
   for (const auto& [x, y] : kPlan) result.emplace_back(x, y, kEyes);
   return result;
 }

@@ -83,9 +83,9 @@ Color with_discs(Color color, std::uint32_t seed, const SurfacePoint& p) {
     const double u = p.u - p.size_u * hash_unit(seed, k, 4);
     const double v = p.v - p.size_v * hash_unit(seed, k, 5);
     const double radius = side * (0.04 + 0.14 * hash_unit(seed, k, 6));
-    const double ring = std::abs(std::hypot(u, v) - 0.7 * radius);
+    const double ring = std::abs(std::sqrt(u * u + v * v) - 0.7 * radius);
     const double covered = std::clamp((0.3 * radius - ring) / footprint(p) + 0.5, 0.0, 1.0);
-    color = mix(color, vivid(seed + 9, k), covered);
+    if (covered > 0) color = mix(color, vivid(seed + 9, k), covered);
   }
   return color;
 }
@@ -168,17 +168,15 @@ Color collage_sample(const Texture& texture, const SurfacePoint& p) {
 }  // namespace
 
 Color collage(const Texture& texture, const SurfacePoint& p) {
-  // Pixels are larger on these posters than on one that fills its wall: four samples a pixel.
-  SurfacePoint quarter = p;
-  quarter.footprint_u = 0.5 * p.footprint_u;
-  quarter.footprint_v = 0.5 * p.footprint_v;
+  // Pixels are larger on these posters than on one that fills its wall: two samples a pixel.
+  SurfacePoint half = p;
+  half.footprint_u = 0.5 * p.footprint_u;
+  half.footprint_v = 0.5 * p.footprint_v;
   Color sum = Color::Zero();
-  for (const double du : {-0.25, 0.25}) {
-    for (const double dv : {-0.25, 0.25}) {
-      quarter.u = p.u + du * p.footprint_u;
-      quarter.v = p.v + dv * p.footprint_v;
-      sum += 0.25 * collage_sample(texture, quarter);
-    }
+  for (const double offset : {-0.25, 0.25}) {
+    half.u = p.u + offset * p.footprint_u;
+    half.v = p.v + offset * p.footprint_v;
+    sum += 0.5 * collage_sample(texture, half);
   }
   return sum;
 }

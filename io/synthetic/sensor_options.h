@@ -24,6 +24,7 @@ struct DepthNoiseOptions {
   double max_range = 1000;                        ///< [m]
   double max_incidence = 0.5 * std::numbers::pi;  ///< [rad]
   double min_reflectance = 0;
+  double missing = 0;
 };
 
 /// Of the colour camera's chip.

@@ -212,10 +212,11 @@ double View::brightness(const Vector3& point, const Vector3& normal) const {
   double sum = scene_.ambient;
   for (const auto& light : scene_.lights) {
     const Vector3 to_light = light.position - point;
+    const double towards = normal.dot(to_light);
+    if (!(towards > 0)) continue;
     const double squared = to_light.squaredNorm();
-    const double cosine = normal.dot(to_light) / std::sqrt(squared);
     // Lambert's law. The inverse square is softened so that a wall beside a lamp is not burnt out.
-    sum += light.power * std::max(0.0, cosine) / (1 + squared);
+    sum += light.power * towards / (std::sqrt(squared) * (1 + squared));
   }
   return sum;
 }

@@ -221,5 +221,14 @@ TEST(DepthSensor, IsBlindOnDarkSurfacesWhereAsked) {
   EXPECT_EQ(share_missing(picture_of(plane_at(2, 0, 0.05)), {}), 0);
 }
 
+TEST(DepthSensor, LeavesTheShareOfPixelsInPatchesWithoutDepth) {
+  const Picture picture = picture_of(plane_at(2, 0));
+  EXPECT_NEAR(share_missing(picture, {.missing = 0.3}), 0.3, 1e-3);
+  // In patches: nearly all pixels are like their neighbour.
+  const cv::Mat gaps = measured(picture, {.missing = 0.3}) == 0;
+  const cv::Mat changes = gaps.colRange(1, gaps.cols) != gaps.colRange(0, gaps.cols - 1);
+  EXPECT_LT(cv::countNonZero(changes), 0.05 * static_cast<double>(gaps.total()));
+}
+
 }  // namespace
 }  // namespace cvo_slam::synthetic
