@@ -171,7 +171,7 @@ MinimizeReport minimize(PoseGraph& graph, const OptimizerOptions& options) {
     problem.SetManifold(poses[i].data(), &manifold);
     if (held[i]) problem.SetParameterBlockConstant(poses[i].data());
   }
-  const MinimizeReport report = solve(problem, options);
+  MinimizeReport report = solve(problem, options);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!held[i]) graph.set_pose(i, to_pose(poses[i]));
   }

@@ -4,78 +4,197 @@
 #
 # run_robustness.sh [output file]
 #
-# Tracks every built-in world and thinned real sequences, and writes docs/robustness.md
-# (`make robustness`).
+# Tracks synthetic worlds under all conditions and thinned real sequences, and writes
+# docs/robustness.md (`make robustness`). An hour on two cores, most of it to record worlds and to
+# wait for the baselines; what was measured is kept in build/robustness, so that a second call goes
+# on where the first was stopped. Remove that folder to measure again.
 #
 #   CVO_SLAM_DATA   folder of the recorded sequences (default: ../shared/data beside the checkout)
-#   FRAMES          frames of each world (default 150, five seconds)
-#   SYSTEMS         what to run, see `cvo_slam bench odometry` (default ours,paper,rgbd,rgbd_icp,icp)
+#   PROGRAM         (default build/release/cvo_slam)
+#   SEEDS           of the worlds (default "101 102 103 104 105")
+#   FRAMES          frames of each recording (default 60, two seconds)
+#   SYSTEMS         of the study, see `cvo_slam bench odometry` (default ours,paper,rgbd,rgbd_icp,icp)
 set -eu
 
 cd "$(dirname "$0")/.."
-program=build/release/cvo_slam
+program=${PROGRAM:-build/release/cvo_slam}
 page=${1:-docs/robustness.md}
 data=${CVO_SLAM_DATA:-../shared/data}
-frames=${FRAMES:-150}
+seeds=${SEEDS:-101 102 103 104 105}
+frames=${FRAMES:-60}
 systems=${SYSTEMS:-ours,paper,rgbd,rgbd_icp,icp}
 folder=build/robustness
 draft=$folder/robustness.md
 # A Kinect without motion blur, which would take most of the time.
-sensor='--noise kinect --set sensor.exposure.time=0'
-seed=100
+kinect='--noise kinect --set sensor.exposure.time=0'
+rooms='room office house'
+kinds='structure_texture_near structure_texture_far structure_notexture_near
+  structure_notexture_far nostructure_texture_near nostructure_texture_far
+  nostructure_notexture_near nostructure_notexture_far'
 
 mkdir -p "$folder"
 
-# The rows of a table of `bench odometry`, with a first column of their own.
-rows() {
-  awk -v name="$1" '/^\| (system|---)/ { next } /^\| / { print "| " name " " $0 }' >> "$draft"
+# record <world> <seed> <options of synth>: the sequence that is tracked next.
+record() {
+  echo "run_robustness.sh: $*" >&2
+  rm -rf "$folder/sequence"
+  # shellcheck disable=SC2086  # several arguments
+  "$program" synth "$1" "$folder/sequence" --frames "$frames" --seed "$2" --image jpeg $3 \
+    > /dev/null 2>&1
 }
 
-head_of_table() {
-  cat >> "$draft" << 'END'
+is_measured() { [ -f "$folder/$1.rows" ]; }
 
-| sequence | system | RPE 1 s [mm] | RPE 1 s [deg] | RPE 1 frame [mm] | RPE 1 frame [deg] | ATE [mm] | lost | CPU median [ms] | CPU mean [ms] |
-| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
-END
+# track <name> <sequence> <systems> <frames>: the rows of a table of `bench odometry` in
+# <folder>/<name>.rows.
+track() {
+  "$program" bench odometry "$2" --systems "$3" --frames "$4" --quiet 2> /dev/null |
+    grep -E '^\| (ours|paper|rgbd|rgbd_icp|icp) ' > "$folder/$1.part"
+  mv "$folder/$1.part" "$folder/$1.rows"
 }
+
+# The middle one of the rows' numbers in a column, and for how many runs success was declared.
+# summary <name> <system> <mm> <deg> reads <name>_*.rows.
+summary() {
+  cat "$folder/$1"_[0-9]*.rows | awk -F '|' -v system="$2" -v mm="$3" -v deg="$4" '
+    function median(list, n,   i, j, held) {
+      for (i = 2; i <= n; ++i) {
+        held = list[i]
+        for (j = i - 1; j >= 1 && list[j] > held; --j) list[j + 1] = list[j]
+        list[j + 1] = held
+      }
+      return n % 2 ? list[(n + 1) / 2] : (list[n / 2] + list[n / 2 + 1]) / 2
+    }
+    { gsub(/ /, "", $2) }
+    $2 == system {
+      ++n; t[n] = $3 + 0; r[n] = $4 + 0; a[n] = $7 ~ /-/ ? 1e9 : $7 + 0; lost += $8
+      if ($8 + 0 == 0 && $3 + 0 <= mm && $4 + 0 <= deg) ++good
+    }
+    END {
+      ate = median(a, n)
+      printf "%.1f | %.2f | %s | %d | %d of %d", median(t, n), median(r, n),
+        ate < 1e9 ? sprintf("%.1f", ate) : "-", lost, good, n
+    }'
+}
+
+each_system() { echo "$systems" | tr ',' ' '; }
+
+# --- Measure -------------------------------------------------------------------------------------
+
+# A room and its thinned versions, from one recording.
+measure_room() {
+  ! is_measured "every_3rd_$1_$2" || return 0
+  record "$1" "$2" "$kinect"
+  track "$1_$2" "$folder/sequence" "$systems" :
+  track "every_2nd_$1_$2" "$folder/sequence" ours,rgbd ::2
+  track "every_3rd_$1_$2" "$folder/sequence" ours,rgbd ::3
+}
+
+measure_kind() {
+  ! is_measured "$1_$2" || return 0
+  record "$1" "$2" "$kinect"
+  track "$1_$2" "$folder/sequence" "$systems" :
+}
+
+# measure_condition <condition> <world> <seed> <options of synth>
+measure_condition() {
+  ! is_measured "$1_$2_$3" || return 0
+  record "$2" "$3" "$4"
+  track "$1_$2_$3" "$folder/sequence" ours,rgbd :
+}
+
+for seed in $seeds; do
+  for world in $kinds; do
+    measure_kind "$world" "$seed"
+  done
+  for world in $rooms; do
+    measure_room "$world" "$seed"
+    measure_condition blur "$world" "$seed" '--noise kinect --set sensor.exposure.time=0.02'
+    measure_condition exposure "$world" "$seed" \
+      "$kinect --set sensor.exposure.jump=0.25 --set sensor.exposure.jump_interval=0.7"
+    measure_condition missing "$world" "$seed" "$kinect --set sensor.depth.missing=0.3"
+    measure_condition objects "$world" "$seed" "$kinect --set sensor.objects.count=3"
+  done
+done
+rm -rf "$folder/sequence"
+
+for sequence in tum/rgbd_dataset_freiburg1_rpy 7scenes/seq-01; do
+  [ -d "$data/$sequence" ] || continue
+  for step in 1 2 3; do
+    name=$(basename "$sequence")_every_$step
+    ! is_measured "$name" || continue
+    echo "run_robustness.sh: $name" >&2
+    track "$name" "$data/$sequence" ours,rgbd "::$step"
+  done
+done
+
+# --- Write ---------------------------------------------------------------------------------------
 
 cat > "$draft" << END
 # Robustness
 
 Written by \`make robustness\` (\`bench/run_robustness.sh\`); do not edit. Errors are RMSE as in
-[benchmarks.md](benchmarks.md); \`lost\` counts frames.
+[benchmarks.md](benchmarks.md). Where several seeds were run, the numbers are their medians, \`lost\`
+is the sum of the frames lost.
 
-## Synthetic worlds with a Kinect's noise
+## Structure and texture
 
-The first $frames frames of each world ([worlds.md](worlds.md)), seed $seed, recorded with
-\`$sensor\` ([sensor.md](sensor.md)). Synthetic only. One run each.
+Synthetic only: the first $frames frames of each world ([worlds.md](worlds.md)), seeds
+$seeds, recorded with \`$kinect\` ([sensor.md](sensor.md)). A run is
+good where no frame is lost and the RPE over 1 s is at most 100 mm and 3 deg. ours =
+the default; paper = \`--preset paper\`; the others are OpenCV's.
+
+| world | system | RPE 1 s [mm] | RPE 1 s [deg] | ATE [mm] | lost | good |
+| --- | --- | ---: | ---: | ---: | ---: | ---: |
 END
-head_of_table
-for world in room office house \
-  structure_texture_near structure_texture_far structure_notexture_near structure_notexture_far \
-  nostructure_texture_near nostructure_texture_far nostructure_notexture_near \
-  nostructure_notexture_far; do
-  echo "run_robustness.sh: $world" >&2
-  # Recorded once; remove the folder to record again.
-  # shellcheck disable=SC2086  # several arguments
-  [ -f "$folder/$world/rgb.txt" ] || "$program" synth "$world" "$folder/$world" --frames "$frames" --seed "$seed" --image jpeg $sensor \
-    > /dev/null 2>&1
-  "$program" bench odometry "$folder/$world" --systems "$systems" --quiet 2> /dev/null | rows "$world"
+for world in $rooms $kinds; do
+  for system in $(each_system); do
+    echo "| $world | $system | $(summary "$world" "$system" 100 3) |" >> "$draft"
+  done
+done
+
+cat >> "$draft" << END
+
+## Conditions
+
+The same for $(echo "$rooms" | sed 's/ /, /g') under one condition each, ours against RgbdOdometry. A run is good where no
+frame is lost and the RPE over 1 s is at most 30 mm and 1.5 deg.
+
+- \`plain\`: as above.
+- \`every_2nd\`, \`every_3rd\`: of the frames; the motion from one to the next is so many times larger.
+- \`blur\`: exposed for 0.02 s. \`exposure\`: jumps of 25 % about every 0.7 s.
+- \`missing\`: 30 % of the depth pixels, in patches. \`objects\`: three boxes that swing through the view.
+
+| condition | world | system | RPE 1 s [mm] | RPE 1 s [deg] | ATE [mm] | lost | good |
+| --- | --- | --- | ---: | ---: | ---: | ---: | ---: |
+END
+for condition in '' every_2nd_ every_3rd_ blur_ exposure_ missing_ objects_; do
+  for world in $rooms; do
+    for system in ours rgbd; do
+      shown=${condition%_}
+      echo "| ${shown:-plain} | $world | $system | $(summary "$condition$world" "$system" 30 1.5) |" \
+        >> "$draft"
+    done
+  done
 done
 
 cat >> "$draft" << 'END'
 
 ## Large motion: real sequences thinned
 
-Every n-th frame of the sequence; a frame is then n times as far from the one before.
+Every n-th frame of the sequence; a frame is then n times as far from the one before. One run each:
+a run gives the same bytes each time.
+
+| sequence | n | system | RPE 1 s [mm] | RPE 1 s [deg] | ATE [mm] | lost |
+| --- | ---: | --- | ---: | ---: | ---: | ---: |
 END
-head_of_table
-for sequence in tum/rgbd_dataset_freiburg1_rpy 7scenes/seq-01; do
-  [ -d "$data/$sequence" ] || continue
+for sequence in rgbd_dataset_freiburg1_rpy seq-01; do
   for step in 1 2 3; do
-    echo "run_robustness.sh: $sequence, every $step" >&2
-    "$program" bench odometry "$data/$sequence" --systems ours,rgbd --frames "0::$step" --quiet \
-      2> /dev/null | rows "$(basename "$sequence"), 1 of $step"
+    [ -f "$folder/${sequence}_every_$step.rows" ] || continue
+    awk -F '|' -v sequence="$sequence" -v step="$step" '{
+      for (i = 2; i <= 8; ++i) gsub(/ /, "", $i)
+      printf "| %s | %d | %s | %s | %s | %s | %s |\n", sequence, step, $2, $3, $4, $7, $8
+    }' "$folder/${sequence}_every_$step.rows" >> "$draft"
   done
 done
 mv "$draft" "$page"

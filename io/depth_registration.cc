@@ -98,6 +98,8 @@ void DepthRegistration::project_row(const std::uint16_t* depth, int v, Projected
     const float inverse_z = 1 / z;
     float x = (units * ray_x[i] + tx) * inverse_z;
     float y = (units * ray_y[i] + ty) * inverse_z;
+    // Without branches, which would keep the compiler from vectorising the loop.
+    // NOLINTNEXTLINE(readability-implicit-bool-conversion)
     const bool visible = (units > 0) & (z >= 1) & (z < kFarthest) & (x * x + y * y <= max_radius2_);
     if (is_distorted) apply_brown_distortion(distortion, x, y);
     row.u[i] = k[0] * x + k[2];
@@ -112,7 +114,7 @@ void DepthRegistration::splat_row(const ProjectedRow& row, cv::Mat& image) const
     if (row.z[i] == 0) continue;
     const float half_u = half_u_ * row.scale[i];
     const float half_v = half_v_ * row.scale[i];
-    const auto depth = static_cast<std::uint16_t>(row.z[i] + 0.5F);
+    const auto depth = static_cast<std::uint16_t>(cvRound(row.z[i]));
     const int u_begin = std::max(0, cvCeil(row.u[i] - half_u));
     const int u_end = std::min(image.cols - 1, cvFloor(row.u[i] + half_u));
     const int v_begin = std::max(0, cvCeil(row.v[i] - half_v));

@@ -72,11 +72,9 @@ class Words {
   Matrix6 symmetric_matrix() {
     Matrix6 matrix;
     for (int row = 0; row < 6; ++row) {
-      for (int column = row; column < 6; ++column) {
-        matrix(row, column) = matrix(column, row) = number();
-      }
+      for (int column = row; column < 6; ++column) matrix(row, column) = number();
     }
-    return matrix;
+    return matrix.selfadjointView<Eigen::Upper>();
   }
 
  private:

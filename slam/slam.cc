@@ -31,6 +31,17 @@ struct MappedKeyframe {
   SE3 T_world_camera;
 };
 
+/// A new keyframe with what the tracker found of it.
+TrackedKeyframe keyframe_of(const FrameRecord& record) {
+  TrackedKeyframe keyframe{record.index,          record.stamp, record.segment,
+                           record.T_world_camera, std::nullopt, nullptr};
+  if (record.keyframe != record.index) {
+    const RegistrationResult& result = record.registration;
+    keyframe.link = {record.keyframe, result.T_fixed_moving, result.information, result.cos_theta};
+  }
+  return keyframe;
+}
+
 }  // namespace
 
 struct Slam::Impl {
@@ -58,7 +69,6 @@ struct Slam::Impl {
   void see_keyframe(std::size_t frame, const PointCloud& cloud);
   FrameRecord track(const RgbdFrame& frame);
   void hand_over_keyframes_before(std::size_t frame);
-  [[nodiscard]] TrackedKeyframe keyframe_of(const FrameRecord& record) const;
   void submit(TrackedKeyframe keyframe);
   void apply_corrections(std::size_t left);
   [[nodiscard]] const FrameRecord& record_of(std::size_t frame) const;
@@ -99,16 +109,6 @@ void Slam::Impl::hand_over_keyframes_before(std::size_t frame) {
     submit(std::move(keyframe));
     apply_corrections(static_cast<std::size_t>(options.correction_delay));
   }
-}
-
-TrackedKeyframe Slam::Impl::keyframe_of(const FrameRecord& record) const {
-  TrackedKeyframe keyframe{record.index,          record.stamp, record.segment,
-                           record.T_world_camera, std::nullopt, nullptr};
-  if (record.keyframe != record.index) {
-    const RegistrationResult& result = record.registration;
-    keyframe.link = {record.keyframe, result.T_fixed_moving, result.information, result.cos_theta};
-  }
-  return keyframe;
 }
 
 void Slam::Impl::submit(TrackedKeyframe keyframe) {

@@ -156,7 +156,7 @@ std::vector<Vector3> even_points(std::vector<Vector3> corners, bool closed, doub
       side = (corners[i] - corners[i - 1]).norm();
     }
     const double share = side > 0 ? std::min(1.0, (k * step - passed) / side) : 0;
-    points.push_back(corners[i - 1] + share * (corners[i] - corners[i - 1]));
+    points.emplace_back(corners[i - 1] + share * (corners[i] - corners[i - 1]));
   }
   return points;
 }

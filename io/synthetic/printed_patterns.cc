@@ -168,17 +168,20 @@ Color collage_sample(const Texture& texture, const SurfacePoint& p) {
 }  // namespace
 
 Color collage(const Texture& texture, const SurfacePoint& p) {
-  // Pixels are larger on these posters than on one that fills its wall: two samples a pixel.
+  // Pixels are larger on these posters than on one that fills its wall: two samples a pixel on its
+  // diagonal, where pixels are large even for a poster on the other diagonal too.
+  const bool is_far = footprint(p) > 0.03 * texture.scale;
   SurfacePoint half = p;
   half.footprint_u = 0.5 * p.footprint_u;
   half.footprint_v = 0.5 * p.footprint_v;
-  Color sum = Color::Zero();
-  for (const double offset : {-0.25, 0.25}) {
-    half.u = p.u + offset * p.footprint_u;
-    half.v = p.v + offset * p.footprint_v;
-    sum += 0.5 * collage_sample(texture, half);
-  }
-  return sum;
+  const auto sample_at = [&](double across, double along) -> Color {
+    half.u = p.u + across * p.footprint_u;
+    half.v = p.v + along * p.footprint_v;
+    return collage_sample(texture, half);
+  };
+  const Color diagonal = 0.5 * (sample_at(-0.25, -0.25) + sample_at(0.25, 0.25));
+  if (!is_far) return diagonal;
+  return 0.5 * diagonal + 0.25 * (sample_at(-0.25, 0.25) + sample_at(0.25, -0.25));
 }
 
 Color spine(const Texture& texture, const SurfacePoint& p) {

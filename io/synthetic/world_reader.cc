@@ -154,7 +154,7 @@ class WorldReader {
   static Vector3 read_center(const YamlValue& value, const Shape& shape) {
     const std::string key = one_of(value, {"at", "on"});
     if (key.empty()) value.fail("shape: say where it is: 'at' (its centre) or 'on' (its foot)");
-    const Vector3 place = vector3(*value.find(key), key);
+    Vector3 place = vector3(*value.find(key), key);
     if (key == "at") return place;
     double height = 0;
     if (const auto* box = std::get_if<Box>(&shape)) height = box->size.z();
@@ -168,7 +168,7 @@ class WorldReader {
             vector3(value.require("target", "viewpoint"), "target")};
   }
 
-  CameraPath read_path(const YamlValue& value) const {
+  [[nodiscard]] CameraPath read_path(const YamlValue& value) const {
     value.check_keys({"duration", "closed", "speed", "tremor", "viewpoints"}, "path");
     PathPlan plan;
     plan.tremor.seed = seed_;
