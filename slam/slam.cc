@@ -42,6 +42,10 @@ TrackedKeyframe keyframe_of(const FrameRecord& record) {
   return keyframe;
 }
 
+SE3 pose_in(const PoseGraph& graph, std::size_t keyframe) {
+  return graph.nodes()[graph.index_of(node_id(keyframe))].T_world_node;
+}
+
 }  // namespace
 
 struct Slam::Impl {
@@ -72,6 +76,7 @@ struct Slam::Impl {
   void submit(TrackedKeyframe keyframe);
   void apply_corrections(std::size_t left);
   [[nodiscard]] const FrameRecord& record_of(std::size_t frame) const;
+  [[nodiscard]] const FrameRecord* next_keyframe(const FrameRecord& frame) const;
   [[nodiscard]] SE3 final_pose(std::size_t record) const;
 };
 
@@ -139,16 +144,33 @@ const FrameRecord& Slam::Impl::record_of(std::size_t frame) const {
       [](const FrameRecord& record, std::size_t index) { return record.index < index; });
 }
 
+/// The keyframe after the frame, where it was tracked against the same keyframe as the frame.
+const FrameRecord* Slam::Impl::next_keyframe(const FrameRecord& frame) const {
+  const auto next = std::upper_bound(
+      keyframes.begin(), keyframes.end(), frame.index,
+      [](std::size_t index, const Keyframe& keyframe) { return index < keyframe.frame; });
+  if (next == keyframes.end()) return nullptr;
+  const FrameRecord& record = record_of(next->frame);
+  return record.keyframe == frame.keyframe ? &record : nullptr;
+}
+
 /// Where the graph has the frame; for one whose keyframe it does not have yet, the online pose.
+/// What the graph has corrected between two keyframes is shared out by time among the frames
+/// between.
 SE3 Slam::Impl::final_pose(std::size_t record) const {
   const PoseGraph& graph = map.graph();
-  const auto pose_of = [&](std::size_t frame) {
-    return graph.nodes()[graph.index_of(node_id(frame))].T_world_node;
-  };
   const FrameRecord& r = tracked[record];
-  if (graph.has_node(node_id(r.index))) return pose_of(r.index);
+  if (graph.has_node(node_id(r.index))) return pose_in(graph, r.index);
   if (!graph.has_node(node_id(r.keyframe))) return online[record].T_world_camera;
-  return (pose_of(r.keyframe) * r.registration.T_fixed_moving).normalized();
+  const SE3 T_world_keyframe = pose_in(graph, r.keyframe);
+  const SE3 T_world_camera = T_world_keyframe * r.registration.T_fixed_moving;
+  const FrameRecord* const next = next_keyframe(r);
+  if (next == nullptr) return T_world_camera.normalized();
+  const SE3 T_world_next_tracked = T_world_keyframe * next->registration.T_fixed_moving;
+  const SE3 correction = T_world_next_tracked.inverse() * pose_in(graph, next->index);
+  const Timestamp begin = record_of(r.keyframe).stamp;
+  const double share = seconds_between(begin, r.stamp) / seconds_between(begin, next->stamp);
+  return (T_world_camera * SE3::exp(share * correction.log())).normalized();
 }
 
 Slam::Slam(const Camera& camera, const TrackerOptions& tracker, const SlamOptions& options)

@@ -25,8 +25,10 @@ OptionSet describe(ProximityOptions& o) {
            "graph's poses, for a registration to be tried. Things in between are not looked for, "
            "so that this is no less than min_overlap.")
       .add("min_overlap", o.min_overlap, {0, 1}, "",
-           "A registration with less overlap is not believed. More than the tracker asks for: a "
-           "constraint can be done without, a frame cannot.")
+           "A registration with less overlap is not believed: what the points without a partner "
+           "would have said is missing, and the sensor's errors are not the same in two views that "
+           "differ. More than the tracker asks for: a constraint can be done without, a frame "
+           "cannot.")
       .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",
            "Nor is one whose normalised inner product is less than this share of the usual, the "
            "mean of the keyframes' with their predecessors.")

@@ -21,8 +21,8 @@ struct ProximityOptions {
   int min_gap = 5;
   int points = 1500;
   int skip_scales = 1;
-  double min_expected_overlap = 0.5;
-  double min_overlap = 0.45;
+  double min_expected_overlap = 0.6;
+  double min_overlap = 0.6;
   double min_cos_theta = 0.4;
   double max_round_trip_translation = 0.01;
   double max_round_trip_rotation = 0.015;

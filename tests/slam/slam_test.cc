@@ -152,6 +152,34 @@ TEST_F(SlamOnSyntheticFrames, EveryFrameHasAPose) {
   EXPECT_TRUE(slam.trajectory().lost.empty());
 }
 
+// A step at each keyframe would be what the graph has corrected since the one before.
+TEST_F(SlamOnSyntheticFrames, FramesBetweenTwoKeyframesShareTheirCorrection) {
+  Slam slam = make_slam();
+  std::vector<FrameRecord> records;
+  for (const RgbdFrame& frame : frames_) records.push_back(slam.track(frame));
+  slam.finish();
+  const auto final_pose = [poses = slam.trajectory().poses](std::size_t i) {
+    return poses[i].T_world_camera;
+  };
+  const auto correction = [&](std::size_t keyframe, std::size_t i) -> Vector6 {
+    const SE3 T_world_tracked = final_pose(keyframe) * records[i].registration.T_fixed_moving;
+    return (T_world_tracked.inverse() * final_pose(i)).log();
+  };
+  double largest = 0;
+  for (const Keyframe& next : slam.keyframes()) {
+    const std::size_t keyframe = records[next.frame].keyframe;
+    const Vector6 whole = correction(keyframe, next.frame);
+    for (std::size_t i = keyframe + 1; i < next.frame; ++i) {
+      const double share =
+          static_cast<double>(i - keyframe) /
+          static_cast<double>(next.frame - keyframe);  // of the time, at a fixed rate
+      EXPECT_LT((correction(keyframe, i) - share * whole).norm(), 1e-9) << i;
+      largest = std::max(largest, share * whole.norm());
+    }
+  }
+  EXPECT_GT(largest, 1e-5);  // there was something to share
+}
+
 TEST_F(SlamOnSyntheticFrames, FinishMayBeCalledAgainAndTrackingMayGoOn) {
   for (const Schedule schedule : {Schedule::kInline, Schedule::kPipelined}) {
     slam_.schedule = schedule;
