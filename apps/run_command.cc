@@ -46,7 +46,7 @@ std::filesystem::path make_new_folder(const std::filesystem::path& parent,
 std::filesystem::path default_folder(const std::string& sequence) {
   const auto parent = std::filesystem::path("results") / sequence;
   const auto time = fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::localtime(std::time(nullptr)));
-  const auto folder = make_new_folder(parent, time);
+  auto folder = make_new_folder(parent, time);
   const auto link = parent / "latest";
   std::error_code ignored;
   // Where a user put a file of that name, it stays.

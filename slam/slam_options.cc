@@ -41,7 +41,7 @@ OptionSet describe(ProximityOptions& o) {
            "An answer that differs from the graph by more standard deviations (of the graph along "
            "its most certain path, and of the registration) than this is not believed. Twice what "
            "chi-square's 99 % allow, for drift is not white: with 4 the registrations that correct "
-           "the drift of fr1/rpy are among those refused, and its ATE is 0.037 m, not 0.016.");
+           "the drift of fr1/rpy are among those refused, and its ATE is 0.037 m, not 0.017.");
 }
 
 OptionSet describe(SlamOptions& o) {

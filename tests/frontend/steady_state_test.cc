@@ -19,14 +19,19 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
-// Replaced for the whole test program; they count and else do what the standard ones do.
-void* operator new(std::size_t size) {
+// Replaced for the whole test program; they count and else do what the standard ones do. Not
+// inlined: GCC would see a malloc() met by a delete and warn.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size == 0 ? 1 : size);
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace cvo_slam {
 namespace {
