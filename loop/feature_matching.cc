@@ -175,8 +175,10 @@ ProjectionMatches match_by_projection(const OrbFeatures& a, const OrbFeatures& b
   for (std::uint32_t i = 0; i < a.size(); ++i) {
     if (!a.points[i].has_depth()) continue;
     const Vector3 position = T_b_a * a.points[i].position();
-    if (position.z() <= 0 || !camera.contains(camera.project(position))) continue;
-    ++result.visible;
+    if (position.z() <= 0) continue;
+    const Eigen::Vector2d pixel = camera.project(position);
+    if (!camera.contains(pixel)) continue;
+    result.visible.push_back(pixel.cast<float>());
     const TwoNearest nearest =
         search.find(a.descriptors[i], position.x() / position.z(), position.y() / position.z(),
                     options.search_radius * a.points[i].size);

@@ -35,6 +35,9 @@ OptionSet describe(VerificationOptions& o) {
       .add("min_inliers", o.min_inliers, {4, 100000}, "", "With fewer a pose is not believed.")
       .add("min_visible_share", o.min_visible_share, {0, 1}, "",
            "Nor with fewer of the features that both images should see by the pose.")
+      .add("min_coverage", o.min_coverage, {0, 1}, "",
+           "Nor where inliers are missing in more of the cells (10 by 8) in which both should see "
+           "features: what is alike may be a poster alone.")
       .add("max_deviation_translation", o.max_deviation_translation, {0, 100}, "m",
            "Nor where the inliers leave the position more uncertain in any direction.")
       .add("max_deviation_rotation", o.max_deviation_rotation, {0, 4}, "rad",

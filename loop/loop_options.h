@@ -25,7 +25,8 @@ struct VerificationOptions {
   double pixel_noise = 1;
   double depth_noise = 0.003;
   int min_inliers = 25;
-  double min_visible_share = 0.25;
+  double min_visible_share = 0.1;
+  double min_coverage = 0.4;
   double max_deviation_translation = 0.02;
   double max_deviation_rotation = 0.015;
   int seed = 1;

@@ -3,8 +3,10 @@
 #include "cvo_slam/loop/loop_verifier.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
@@ -36,6 +38,40 @@ double largest_deviation(const Matrix3& covariance) {
   const Eigen::SelfAdjointEigenSolver<Matrix3> solver(covariance, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
 }
+
+/// Counts of the features in each cell of an image.
+class CellCounts {
+ public:
+  explicit CellCounts(const PinholeCamera& camera) : width_(camera.width), height_(camera.height) {}
+
+  void add(float u, float v) {
+    const int column = std::clamp(static_cast<int>(u) * kColumns / width_, 0, kColumns - 1);
+    const int row = std::clamp(static_cast<int>(v) * kRows / height_, 0, kRows - 1);
+    ++counts_[static_cast<std::size_t>(row * kColumns + column)];
+  }
+
+  /// Of the cells with several visible features, the share with an inlier.
+  static double share(const CellCounts& inliers, const CellCounts& visible) {
+    constexpr int kSeveral = 4;
+    int cells = 0;
+    int explained = 0;
+    for (std::size_t i = 0; i < kCells; ++i) {
+      if (visible.counts_[i] < kSeveral) continue;
+      ++cells;
+      explained += inliers.counts_[i] > 0 ? 1 : 0;
+    }
+    return cells > 0 ? static_cast<double>(explained) / cells : 0;
+  }
+
+ private:
+  static constexpr int kColumns = 10;
+  static constexpr int kRows = 8;
+  static constexpr std::size_t kCells = std::size_t{kColumns} * std::size_t{kRows};
+
+  int width_;
+  int height_;
+  std::array<int, kCells> counts_{};
+};
 
 /// The steps of one verification.
 class Trial {
@@ -69,8 +105,12 @@ class Trial {
                          options_.min_inliers);
     }
     if (result_.visible_share < options_.min_visible_share) {
-      return fmt::format("{:.2f} of what both should see matches; {:.2f} needed",
+      return fmt::format("{:.2f} of the features that both should see match; {:.2f} needed",
                          result_.visible_share, options_.min_visible_share);
+    }
+    if (result_.coverage < options_.min_coverage) {
+      return fmt::format("{:.2f} of the image cells that both should see match; {:.2f} needed",
+                         result_.coverage, options_.min_coverage);
     }
     return uncertainty();
   }
@@ -98,10 +138,30 @@ class Trial {
     result_.T_a_b = fine.T_a_b;
     result_.information = fine.information;
     auto inliers = inliers_of(fine.T_a_b, all, model_);
-    const std::size_t visible = std::min(projected.visible, back.visible);
-    result_.visible_share = static_cast<double>(inliers.size()) /
-                            static_cast<double>(std::max<std::size_t>(1, visible));
+    judge_visibility(projected, back, inliers);
     return inliers;
+  }
+
+  /// What the pose explains of what both images should see; of the two the worse.
+  void judge_visibility(const ProjectionMatches& in_b, const ProjectionMatches& in_a,
+                        const std::vector<PointPair>& inliers) {
+    const auto visible =
+        std::max<std::size_t>(1, std::min(in_a.visible.size(), in_b.visible.size()));
+    result_.visible_share = static_cast<double>(inliers.size()) / static_cast<double>(visible);
+    CellCounts inliers_in_a(camera_);
+    CellCounts inliers_in_b(camera_);
+    for (const PointPair& pair : inliers) {
+      inliers_in_a.add(pair.a.u, pair.a.v);
+      inliers_in_b.add(pair.b.u, pair.b.v);
+    }
+    result_.coverage = std::min(CellCounts::share(inliers_in_a, visible_cells(in_a)),
+                                CellCounts::share(inliers_in_b, visible_cells(in_b)));
+  }
+
+  [[nodiscard]] CellCounts visible_cells(const ProjectionMatches& projected) const {
+    CellCounts cells(camera_);
+    for (const Eigen::Vector2f& pixel : projected.visible) cells.add(pixel.x(), pixel.y());
+    return cells;
   }
 
   [[nodiscard]] std::string uncertainty() const {

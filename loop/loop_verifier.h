@@ -37,7 +37,10 @@ struct Verification {
   Matrix6 information = Matrix6::Zero();  ///< of a right perturbation of T_a_b
   std::size_t matches = 0;                ///< of words, with a common rotation
   std::size_t inliers = 0;                ///< of the features matched with the pose known
-  double visible_share = 0;       ///< inliers among the features that both images should see
+  double visible_share = 0;  ///< inliers among the features that both images should see
+  /// Of the cells of the image where features should be seen in either image, the share with an
+  /// inlier. A poster that hangs in two places explains its own cells alone.
+  double coverage = 0;
   std::vector<PixelPair> pixels;  ///< of the inliers; of a rejected pair what agreed best
 };
 

@@ -28,12 +28,25 @@ cv::Mat grey_of(const cv::Mat& color) {
   return grey;
 }
 
-/// Many more corners than wanted: OpenCV keeps the strongest of all the image, wherever they are.
-cv::Ptr<cv::ORB> make_detector(const OrbOptions& options) {
+/// Finds many more corners than wanted: OpenCV keeps the strongest of all the image, wherever they
+/// are.
+cv::Ptr<cv::ORB> make_detector(const OrbOptions& options, int threshold) {
   constexpr int kSurplus = 20;
   return cv::ORB::create(kSurplus * options.features, static_cast<float>(options.scale),
-                         options.levels, kPatch, 0, 2, cv::ORB::HARRIS_SCORE, kPatch,
-                         options.threshold);
+                         options.levels, kPatch, 0, 2, cv::ORB::HARRIS_SCORE, kPatch, threshold);
+}
+
+std::vector<cv::KeyPoint> detect(const cv::Mat& grey, const OrbOptions& options) {
+  std::vector<cv::KeyPoint> all;
+  make_detector(options, options.threshold)->detect(grey, all);
+  auto selected = select_evenly(all, grey.size(), options, options.features);
+  const int missing = options.features - static_cast<int>(selected.size());
+  if (missing <= 0 || options.low_threshold >= options.threshold) return selected;
+  make_detector(options, options.low_threshold)->detect(grey, all);
+  const auto weak = select_evenly(in_empty_cells(all, selected, grey.size(), options), grey.size(),
+                                  options, missing);
+  selected.insert(selected.end(), weak.begin(), weak.end());
+  return selected;
 }
 
 /// Depth around a pixel [m]; 0 where most of it is missing or it spans an edge.
@@ -89,23 +102,24 @@ OptionSet describe(OrbOptions& o) {
            "Levels of the pyramid. Eight at 1.2 cover a factor of 3.6 in distance.")
       .add("scale", o.scale, {1.05, 2}, "", "Between levels.")
       .add("threshold", o.threshold, {1, 255}, "grey levels",
-           "By how much a corner's ring differs from its centre. OpenCV's 20 finds too little on "
-           "plain walls; much less finds the sensor's noise.")
-      .add("columns", o.columns, {1, 200}, "cells", "Of the grid that spreads the features.")
-      .add("rows", o.rows, {1, 200}, "cells", "Of the same grid.");
+           "By how much a corner's ring differs from its centre; OpenCV's default.")
+      .add("low_threshold", o.low_threshold, {1, 255}, "grey levels",
+           "The same in cells where the other finds nothing, as on plain walls. Everywhere, it "
+           "would "
+           "fill images with corners of noise.")
+      .add("per_cell", o.per_cell, {1, 1000}, "",
+           "Features in each cell of the grids that spread them: the fewer, the more evenly, and "
+           "the more of them weak.");
 }
 
 OrbFeatures extract_orb(const RgbdFrame& frame, const Camera& camera, const OrbOptions& options) {
   OrbFeatures features;
   const cv::Mat grey = grey_of(frame.color);
   if (grey.empty()) return features;
-  const auto orb = make_detector(options);
-  std::vector<cv::KeyPoint> keypoints;
-  orb->detect(grey, keypoints);
-  keypoints = select_evenly(keypoints, grey.size(), options);
+  std::vector<cv::KeyPoint> keypoints = detect(grey, options);
   if (keypoints.empty()) return features;
   cv::Mat descriptors;
-  orb->compute(grey, keypoints, descriptors);
+  make_detector(options, options.threshold)->compute(grey, keypoints, descriptors);
   features.descriptors = to_descriptors(descriptors);
   for (const cv::KeyPoint& keypoint : keypoints) {
     features.points.push_back(to_feature(keypoint, frame, camera, options.scale));

@@ -17,9 +17,9 @@ struct OrbOptions {
   int features = 1000;
   int levels = 8;
   double scale = 1.2;
-  int threshold = 12;
-  int columns = 16;
-  int rows = 12;
+  int threshold = 20;
+  int low_threshold = 7;
+  int per_cell = 4;
 };
 
 [[nodiscard]] OptionSet describe(OrbOptions& options);
@@ -51,7 +51,8 @@ struct OrbFeatures {
 
 /// Oriented FAST corners with their ORB descriptors (E. Rublee et al., "ORB: an efficient
 /// alternative to SIFT or SURF", ICCV 2011; OpenCV's implementation), the strongest of each cell of
-/// a grid in turn, so that they are spread evenly over the image.
+/// a grid in turn, so that they are spread evenly over the image. Cells without any are searched
+/// again for weaker ones.
 ///
 /// An image that is empty, too small or neither CV_8UC3 nor CV_8UC1 has no features. A depth image
 /// that is missing, of another size or type gives none of them a depth; nor has a feature one whose

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <opencv2/calib3d.hpp>
@@ -150,8 +151,11 @@ class Best {
   /// Answers whether it is better; then it has been refined as well.
   bool see(const SE3& T_a_b) {
     if (!take(T_a_b)) return false;
-    const auto inliers = inliers_of(T_a_b, pairs_, model_);
-    if (inliers.size() > 3) take(model_.refine(T_a_b, inliers).T_a_b);
+    constexpr int kRefinements = 3;  // the inliers of a refined pose are others
+    for (int i = 0; i < kRefinements; ++i) {
+      const auto inliers = inliers_of(*pose_, pairs_, model_);
+      if (inliers.size() <= 3 || !take(model_.refine(*pose_, inliers).T_a_b)) break;
+    }
     return true;
   }
 
