@@ -9,6 +9,7 @@
 
 #include "cvo_slam/loop/feature_matching_internal.h"
 #include "cvo_slam/loop/hamming.h"
+#include "cvo_slam/loop/ray_bounds_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -98,16 +99,18 @@ class RadiusSearch {
   RadiusSearch(const OrbFeatures& features, const PinholeCamera& camera)
       : features_(features), camera_(camera), order_(sorted_by_rows(features)) {}
 
-  /// x and y of a ray; `radius` [px]. Empty where none looks alike.
-  [[nodiscard]] TwoNearest find(const Descriptor& descriptor, double x, double y,
+  /// About a ray; `radius` [px]. Empty where none is there.
+  [[nodiscard]] TwoNearest find(const Descriptor& descriptor, const Eigen::Vector2d& ray,
                                 double radius) const {
     const double reach = radius / std::abs(camera_.fy);
     const auto at_row = [&](std::uint32_t i, double row) { return features_.points[i].y < row; };
     TwoNearest nearest;
-    for (auto i = std::lower_bound(order_.begin(), order_.end(), y - reach, at_row);
-         i != order_.end() && features_.points[*i].y <= y + reach; ++i) {
+    for (auto i = std::lower_bound(order_.begin(), order_.end(), ray.y() - reach, at_row);
+         i != order_.end() && features_.points[*i].y <= ray.y() + reach; ++i) {
       const OrbFeature& feature = features_.points[*i];
-      if (std::hypot((feature.x - x) * camera_.fx, (feature.y - y) * camera_.fy) > radius) continue;
+      if (std::hypot((feature.x - ray.x()) * camera_.fx, (feature.y - ray.y()) * camera_.fy) >
+          radius)
+        continue;
       nearest.see(hamming_distance(descriptor, features_.descriptors[*i]), *i);
     }
     return nearest;
@@ -170,18 +173,17 @@ ProjectionMatches match_by_projection(const OrbFeatures& a, const OrbFeatures& b
                                       const PinholeCamera& camera, const MatchingOptions& options) {
   ProjectionMatches result;
   const RadiusSearch search(b, camera);
+  const RayBounds bounds(camera);
   // Each feature of b goes to the one of a that looks most like it.
   std::vector<TwoNearest> takers(b.size());
   for (std::uint32_t i = 0; i < a.size(); ++i) {
     if (!a.points[i].has_depth()) continue;
     const Vector3 position = T_b_a * a.points[i].position();
-    if (position.z() <= 0) continue;
-    const Eigen::Vector2d pixel = camera.project(position);
-    if (!camera.contains(pixel)) continue;
-    result.visible.push_back(pixel.cast<float>());
+    const Eigen::Vector2d ray = position.head<2>() / position.z();
+    if (position.z() <= 0 || !bounds.contains(ray)) continue;
+    result.visible.push_back(ray);
     const TwoNearest nearest =
-        search.find(a.descriptors[i], position.x() / position.z(), position.y() / position.z(),
-                    options.search_radius * a.points[i].size);
+        search.find(a.descriptors[i], ray, options.search_radius * a.points[i].size);
     if (nearest.first <= options.max_distance) takers[nearest.index].see(nearest.first, i);
   }
   for (std::uint32_t j = 0; j < b.size(); ++j) {

@@ -39,8 +39,8 @@ struct FeatureMatch {
 /// looks most alike within MatchingOptions::search_radius of where the pose says that it is.
 struct ProjectionMatches {
   std::vector<FeatureMatch> matches;  ///< none of `b` twice; in ascending order
-  /// Where those features of `a` with depth that lie in b's image lie there [px].
-  std::vector<Eigen::Vector2f> visible;
+  /// The rays in frame b of those features of `a` with depth that lie in b's image.
+  std::vector<Eigen::Vector2d> visible;
 };
 [[nodiscard]] ProjectionMatches match_by_projection(const OrbFeatures& a, const OrbFeatures& b,
                                                     const SE3& T_b_a, const PinholeCamera& camera,

@@ -12,6 +12,7 @@
 
 #include "cvo_slam/loop/feature_matching_internal.h"
 #include "cvo_slam/loop/pose_search_internal.h"
+#include "cvo_slam/loop/ray_bounds_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -42,12 +43,13 @@ double largest_deviation(const Matrix3& covariance) {
 /// Counts of the features in each cell of an image.
 class CellCounts {
  public:
-  explicit CellCounts(const PinholeCamera& camera) : width_(camera.width), height_(camera.height) {}
+  explicit CellCounts(const RayBounds& bounds) : bounds_(bounds) {}
 
-  void add(float u, float v) {
-    const int column = std::clamp(static_cast<int>(u) * kColumns / width_, 0, kColumns - 1);
-    const int row = std::clamp(static_cast<int>(v) * kRows / height_, 0, kRows - 1);
-    ++counts_[static_cast<std::size_t>(row * kColumns + column)];
+  void add(const Eigen::Vector2d& ray) {
+    const Eigen::Vector2d share = bounds_.share(ray);
+    const auto column = static_cast<std::size_t>(share.x() * kColumns);
+    const auto row = static_cast<std::size_t>(share.y() * kRows);
+    ++counts_[row * kColumns + column];
   }
 
   /// Of the cells with several visible features, the share with an inlier.
@@ -64,12 +66,11 @@ class CellCounts {
   }
 
  private:
-  static constexpr int kColumns = 10;
-  static constexpr int kRows = 8;
-  static constexpr std::size_t kCells = std::size_t{kColumns} * std::size_t{kRows};
+  static constexpr std::size_t kColumns = 10;
+  static constexpr std::size_t kRows = 8;
+  static constexpr std::size_t kCells = kColumns * kRows;
 
-  int width_;
-  int height_;
+  const RayBounds& bounds_;
   std::array<int, kCells> counts_{};
 };
 
@@ -78,7 +79,12 @@ class Trial {
  public:
   Trial(const Appearance& a, const Appearance& b, const PinholeCamera& camera,
         const VerificationOptions& options)
-      : a_(a), b_(b), camera_(camera), options_(options), model_(camera, options) {}
+      : a_(a),
+        b_(b),
+        camera_(camera),
+        options_(options),
+        bounds_(camera),
+        model_(camera, options) {}
 
   Verification run() {
     result_.reason = problem();
@@ -148,19 +154,19 @@ class Trial {
     const auto visible =
         std::max<std::size_t>(1, std::min(in_a.visible.size(), in_b.visible.size()));
     result_.visible_share = static_cast<double>(inliers.size()) / static_cast<double>(visible);
-    CellCounts inliers_in_a(camera_);
-    CellCounts inliers_in_b(camera_);
+    CellCounts inliers_in_a(bounds_);
+    CellCounts inliers_in_b(bounds_);
     for (const PointPair& pair : inliers) {
-      inliers_in_a.add(pair.a.u, pair.a.v);
-      inliers_in_b.add(pair.b.u, pair.b.v);
+      inliers_in_a.add(pair.a.ray().head<2>());
+      inliers_in_b.add(pair.b.ray().head<2>());
     }
     result_.coverage = std::min(CellCounts::share(inliers_in_a, visible_cells(in_a)),
                                 CellCounts::share(inliers_in_b, visible_cells(in_b)));
   }
 
   [[nodiscard]] CellCounts visible_cells(const ProjectionMatches& projected) const {
-    CellCounts cells(camera_);
-    for (const Eigen::Vector2f& pixel : projected.visible) cells.add(pixel.x(), pixel.y());
+    CellCounts cells(bounds_);
+    for (const Eigen::Vector2d& ray : projected.visible) cells.add(ray);
     return cells;
   }
 
@@ -183,6 +189,7 @@ class Trial {
   const Appearance& b_;
   const PinholeCamera& camera_;
   const VerificationOptions& options_;
+  RayBounds bounds_;
   PairModel model_;
   Verification result_;
 };

@@ -23,9 +23,10 @@ Eigen::Matrix<double, 3, 6> point_jacobian(const Matrix3& rotation, const Vector
   return jacobian;
 }
 
+}  // namespace
+
 /// The normal equations of weighted residuals.
-class NormalEquations {
- public:
+struct NormalEquations {
   template <int kRows>
   void add(const Eigen::Matrix<double, kRows, 1>& residual,
            const Eigen::Matrix<double, kRows, 6>& jacobian, double weight) {
@@ -42,6 +43,8 @@ class NormalEquations {
   double chi2 = 0;
   double count = 0;  // of residuals
 };
+
+namespace {
 
 /// Adds where a point should be seen, `position` with its jacobian, against where it is.
 void add_pixel(NormalEquations& equations, const Vector3& position,
@@ -87,40 +90,41 @@ double PairModel::error(const SE3& T_a_b, const SE3& T_b_a, const PointPair& pai
   return std::max(error, difference * difference);
 }
 
+void PairModel::add_pair(const SE3& T_a_b, const SE3& T_b_a, const PointPair& pair,
+                         NormalEquations& equations) const {
+  const auto pixels = [&](const OrbFeature& feature) -> Eigen::Vector2d {
+    return Eigen::Vector2d(fx_, fy_) / (options_.pixel_noise * feature.size);
+  };
+  // The two directions compare the same two pixels: together they count once.
+  const double weight = pair.a.has_depth() && pair.b.has_depth() ? 0.5 : 1;
+  if (pair.a.has_depth()) {
+    const Vector3 in_b = T_b_a * pair.a.position();
+    add_pixel(equations, in_b, -point_jacobian(Matrix3::Identity(), in_b), pair.b, pixels(pair.b),
+              weight);
+  }
+  if (!pair.b.has_depth()) return;
+  const Vector3 in_a = T_a_b * pair.b.position();
+  const auto jacobian = point_jacobian(T_a_b.rotation(), pair.b.position());
+  add_pixel(equations, in_a, jacobian, pair.a, pixels(pair.a), weight);
+  if (!pair.a.has_depth()) return;
+  const double deviation = std::hypot(depth_deviation(pair.a.depth), depth_deviation(pair.b.depth));
+  const Eigen::Matrix<double, 1, 1> residual((in_a.z() - pair.a.depth) / deviation);
+  equations.add<1>(residual, jacobian.row(2) / deviation, 1);
+}
+
 PoseEstimate PairModel::refine(const SE3& T_a_b, std::span<const PointPair> inliers) const {
   constexpr int kIterations = 10;
   constexpr double kSmallStep = 1e-7;
   PoseEstimate estimate{.T_a_b = T_a_b};
   for (int i = 0; i < kIterations; ++i) {
     NormalEquations equations;
-    const SE3& T = estimate.T_a_b;
-    const SE3 T_b_a = T.inverse();
-    for (const PointPair& pair : inliers) {
-      const auto pixels = [&](const OrbFeature& feature) -> Eigen::Vector2d {
-        return Eigen::Vector2d(fx_, fy_) / (options_.pixel_noise * feature.size);
-      };
-      // The two directions compare the same two pixels: together they count once.
-      const double weight = pair.a.has_depth() && pair.b.has_depth() ? 0.5 : 1;
-      if (pair.a.has_depth()) {
-        const Vector3 in_b = T_b_a * pair.a.position();
-        add_pixel(equations, in_b, -point_jacobian(Matrix3::Identity(), in_b), pair.b,
-                  pixels(pair.b), weight);
-      }
-      if (!pair.b.has_depth()) continue;
-      const Vector3 in_a = T * pair.b.position();
-      const auto jacobian = point_jacobian(T.rotation(), pair.b.position());
-      add_pixel(equations, in_a, jacobian, pair.a, pixels(pair.a), weight);
-      if (!pair.a.has_depth()) continue;
-      const double deviation =
-          std::hypot(depth_deviation(pair.a.depth), depth_deviation(pair.b.depth));
-      const Eigen::Matrix<double, 1, 1> residual((in_a.z() - pair.a.depth) / deviation);
-      equations.add<1>(residual, jacobian.row(2) / deviation, 1);
-    }
-    const Vector6 step = -equations.H.ldlt().solve(equations.g);
+    const SE3 T_b_a = estimate.T_a_b.inverse();
+    for (const PointPair& pair : inliers) add_pair(estimate.T_a_b, T_b_a, pair, equations);
     const double variance = equations.chi2 / std::max(1.0, equations.count - 6);
     estimate.information = equations.H / std::max(1.0, variance);
+    const Vector6 step = -equations.H.ldlt().solve(equations.g);
     if (!step.allFinite()) break;
-    estimate.T_a_b = (T * SE3::exp(step)).normalized();
+    estimate.T_a_b = (estimate.T_a_b * SE3::exp(step)).normalized();
     if (step.norm() < kSmallStep) break;
   }
   return estimate;

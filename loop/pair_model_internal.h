@@ -24,6 +24,8 @@ struct PoseEstimate {
   Matrix6 information = Matrix6::Zero();  ///< of a right perturbation
 };
 
+struct NormalEquations;
+
 /// What a pose of image b in image a says about pairs. Pixels are measured at the level of the
 /// pyramid on which a corner was found.
 class PairModel {
@@ -36,13 +38,15 @@ class PairModel {
   [[nodiscard]] double error(const SE3& T_a_b, const SE3& T_b_a, const PointPair& pair) const;
 
   /// Least squares on pairs that are inliers, by Gauss-Newton with Huber's weights, from a start
-  /// nearby. The information is scaled up to no more than the residuals justify.
+  /// nearby. The information is no more than the residuals justify.
   [[nodiscard]] PoseEstimate refine(const SE3& T_a_b, std::span<const PointPair> inliers) const;
 
   /// Standard deviation of a depth [m].
   [[nodiscard]] double depth_deviation(double depth) const;
 
  private:
+  void add_pair(const SE3& T_a_b, const SE3& T_b_a, const PointPair& pair,
+                NormalEquations& equations) const;
   [[nodiscard]] double pixel_error(const Vector3& position, const OrbFeature& feature) const;
 
   double fx_;
