@@ -14,6 +14,7 @@
 #include "cvo_slam/apps/command.h"
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/apps/training_images.h"
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/core/parallel.h"
 #include "cvo_slam/loop/builtin_vocabulary.h"
 #include "cvo_slam/loop/orb_features.h"
@@ -82,7 +83,17 @@ class DescriptorCollector {
   std::size_t total_ = 0;
 };
 
+/// What would otherwise fail when minutes of work are done.
+void check(VocabArguments arguments) {
+  describe(arguments.training).check();
+  const auto folder = std::filesystem::absolute(arguments.output).parent_path();
+  if (!std::filesystem::is_directory(folder)) {
+    throw OutputError(arguments.output, "its folder does not exist; make it first");
+  }
+}
+
 int train(const VocabArguments& arguments) {
+  check(arguments);
   const Executor executor(arguments.threads);
   const auto images = DescriptorCollector(arguments).collect(executor);
   std::size_t features = 0;

@@ -5,6 +5,7 @@
 // detector's candidates and of its verified loops, on a sequence whose poses are known. The tables
 // of docs/loops.md.
 //   loop_quality <sequence> [--step 15] [--first a] [--last b] [--vocabulary file] [--all-pairs]
+//   [--register]
 //                [--set key=value]... [--pictures folder] [--verbose]
 #include <algorithm>
 #include <filesystem>
@@ -23,6 +24,8 @@
 #include "cvo_slam/apps/settings.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/pose_interpolation.h"
+#include "cvo_slam/frontend/point_selection.h"
+#include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/loop/loop_detector.h"
@@ -40,6 +43,7 @@ struct QualityArguments {
   std::size_t first = 0;
   std::size_t last = 1000000000;
   bool all_pairs = false;
+  bool registration = false;
   bool verbose = false;
 };
 
@@ -58,6 +62,7 @@ struct Judged {
   double translation = 0;  // errors [m, rad]
   double rotation = 0;
   LoopMatch match;
+  RegistrationResult refined;  // where asked for
 
   [[nodiscard]] bool is_correct() const {
     constexpr double kTranslation = 0.05;  // [m]
@@ -158,9 +163,30 @@ class Quality {
 
   [[nodiscard]] Judged judge(std::size_t older, std::size_t newer, LoopMatch match) const {
     const SE3 truth = views_[older].T_world_camera.inverse() * views_[newer].T_world_camera;
-    const SE3 error = truth.inverse() * match.verification.T_a_b;
-    return {older,         newer,           overlap_of(older, newer), error.translation().norm(),
-            error.angle(), std::move(match)};
+    SE3 T_older_newer = match.verification.T_a_b;
+    RegistrationResult refined;
+    if (arguments_.registration && match.verification.accepted) {
+      refined = register_pair(older, newer, T_older_newer);
+      if (refined.status != RegistrationStatus::kFailed) T_older_newer = refined.T_fixed_moving;
+    }
+    const SE3 error = truth.inverse() * T_older_newer;
+    const double shared = overlap_of(older, newer);
+    return {older,
+            newer,
+            shared,
+            error.translation().norm(),
+            error.angle(),
+            std::move(match),
+            std::move(refined)};
+  }
+
+  /// What CVO makes of a loop, with as many points as the tracker takes.
+  [[nodiscard]] RegistrationResult register_pair(std::size_t older, std::size_t newer,
+                                                 const SE3& T_older_newer) const {
+    constexpr int kFixed = 6000;
+    constexpr int kMoving = 1500;
+    return align(select_points(views_[older].frame, data_->camera(), kFixed),
+                 select_points(views_[newer].frame, data_->camera(), kMoving), T_older_newer);
   }
 
   void detect() {
@@ -244,6 +270,9 @@ class Quality {
         judged.match.normalized_score, judged.match.consistency, v.matches, v.inliers,
         v.visible_share, v.coverage, judged.translation, judged.rotation,
         v.accepted ? (judged.is_correct() ? "ACCEPTED" : "FALSE") : "rejected:", v.reason);
+    if (judged.refined.status == RegistrationStatus::kFailed) return;
+    fmt::print("          CVO: overlap {:.2f} cos_theta {:.3f}\n", judged.refined.overlap,
+               judged.refined.cos_theta);
   }
 
   void draw(const Judged& judged) const {
@@ -288,6 +317,7 @@ int main(int argc, char** argv) {
   app.add_option("--set", arguments.settings, "key=value")->allow_extra_args(false);
   app.add_option("--pictures", arguments.pictures, "Where to draw false loops");
   app.add_flag("--all-pairs", arguments.all_pairs, "Verify every pair, whatever its words");
+  app.add_flag("--register", arguments.registration, "Refine verified loops by CVO");
   app.add_flag("--verbose", arguments.verbose, "A line for each candidate");
   CLI11_PARSE(app, argc, argv);
   try {
