@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace cvo_slam {
@@ -26,7 +27,10 @@ struct NodeFeature {
   std::uint32_t node = 0;
   std::uint32_t feature = 0;
 
-  auto operator<=>(const NodeFeature&) const = default;
+  bool operator==(const NodeFeature&) const = default;
+  bool operator<(const NodeFeature& other) const {
+    return std::pair(node, feature) < std::pair(other.node, other.feature);
+  }
 };
 
 /// An image as a vocabulary describes it.

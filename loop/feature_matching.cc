@@ -148,6 +148,7 @@ std::vector<FeatureMatch> keep_common_rotation(const OrbFeatures& a, const OrbFe
                                                const MatchingOptions& options) {
   constexpr double kTurn = 2 * std::numbers::pi;
   std::vector<double> turns;
+  turns.reserve(matches.size());
   for (const FeatureMatch& match : matches) turns.push_back(turn_of(a, b, match));
   const auto is_near = [&](double turn, double center) {
     return std::abs(std::remainder(turn - center, kTurn)) <= options.rotation_window;

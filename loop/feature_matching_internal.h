@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "cvo_slam/core/se3.h"
@@ -17,7 +18,10 @@ struct FeatureMatch {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 
-  auto operator<=>(const FeatureMatch&) const = default;
+  bool operator==(const FeatureMatch&) const = default;
+  bool operator<(const FeatureMatch& other) const {
+    return std::pair(a, b) < std::pair(other.a, other.b);
+  }
 };
 
 /// Compares features of the same vocabulary node alone. A match is the nearest one both ways, is

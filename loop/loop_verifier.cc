@@ -30,6 +30,7 @@ std::vector<PointPair> pairs_of(const OrbFeatures& a, const OrbFeatures& b,
 
 std::vector<PixelPair> pixels_of(const std::vector<PointPair>& pairs) {
   std::vector<PixelPair> pixels;
+  pixels.reserve(pairs.size());
   for (const PointPair& pair : pairs) pixels.push_back({pair.a.u, pair.a.v, pair.b.u, pair.b.v});
   return pixels;
 }

@@ -61,8 +61,8 @@ double depth_at(const cv::Mat& depth, const cv::Point& pixel, double units_per_m
   }
   constexpr std::size_t kEnough = 5;
   if (count < kEnough) return 0;
-  const auto end = values.begin() + static_cast<std::ptrdiff_t>(count);
-  std::sort(values.begin(), end);
+  auto* const end = values.data() + count;
+  std::sort(values.data(), end);
   const double median = values[count / 2] / units_per_metre;
   const double spread = (values[count - 1] - values[0]) / units_per_metre;
   // A surface seen at 80 degrees changes by 2.2 % of its depth over the three pixels; a Kinect's
@@ -121,6 +121,7 @@ OrbFeatures extract_orb(const RgbdFrame& frame, const Camera& camera, const OrbO
   cv::Mat descriptors;
   make_detector(options, options.threshold)->compute(grey, keypoints, descriptors);
   features.descriptors = to_descriptors(descriptors);
+  features.points.reserve(keypoints.size());
   for (const cv::KeyPoint& keypoint : keypoints) {
     features.points.push_back(to_feature(keypoint, frame, camera, options.scale));
   }

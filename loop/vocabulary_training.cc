@@ -89,6 +89,7 @@ std::vector<std::uint32_t> count_images(const Vocabulary& vocabulary,
   std::vector<WordId> words;
   for (const auto& image : images) {
     words.clear();
+    words.reserve(image.size());
     for (const Descriptor& descriptor : image) words.push_back(vocabulary.find(descriptor, 0).word);
     std::sort(words.begin(), words.end());
     words.erase(std::unique(words.begin(), words.end()), words.end());
