@@ -8,7 +8,7 @@ set(CVO_SLAM_DEPENDENCIES
     "Eigen3"
     "fmt"
     "hwy"
-    "OpenCV COMPONENTS core imgproc imgcodecs"
+    "OpenCV COMPONENTS core calib3d features2d imgproc imgcodecs"
     "TBB"
     "yaml-cpp")
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A program of somebody else: writes a trajectory into the folder it is given, reads it back, sees
-// the library's errors as exceptions of its own, asks the tracker, and optimises a pose graph.
+// the library's errors as exceptions of its own, asks the tracker and the loop detector, and
+// optimises a pose graph.
 #include <filesystem>
 #include <iostream>
 #include <numbers>
@@ -13,6 +14,7 @@
 #include <cvo_slam/core/se3.h>
 #include <cvo_slam/frontend/tracker.h>
 #include <cvo_slam/io/tum_trajectory.h>
+#include <cvo_slam/loop/loop_detector.h>
 
 namespace {
 
@@ -45,6 +47,14 @@ bool tracker_answers() {
   return record.status == cvo_slam::TrackingStatus::kLost && !record.reason.empty();
 }
 
+/// The vocabulary comes with the library: there is no file to find.
+bool loop_detector_answers() {
+  cvo_slam::LoopDetector detector{cvo_slam::Camera()};
+  const auto nothing = detector.extract(cvo_slam::RgbdFrame());
+  detector.add(nothing);
+  return detector.size() == 1 && detector.find_loops(*nothing).empty();
+}
+
 /// Of two measurements that differ, the middle.
 bool optimizer_answers() {
   const cvo_slam::Matrix3 straight = cvo_slam::Matrix3::Identity();
@@ -69,7 +79,7 @@ int main(int argc, char** argv) {
   // Four quarter turns of a circle end where they began, up to the nine digits of the file.
   const double gap = poses.back().T_world_camera.translation().norm();
   const bool ok = poses.size() == 5 && gap < 1e-8 && missing_file_throws(folder) &&
-                  tracker_answers() && optimizer_answers();
+                  tracker_answers() && loop_detector_answers() && optimizer_answers();
   std::cout << poses.size() << " poses, the circle's gap is " << gap << " m\n";
   return ok ? 0 : 1;
 }

@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How well places are recognised before any graph helps: precision and recall of the loop
+// detector's candidates and of its verified loops, on a sequence whose poses are known. The tables
+// of docs/loops.md.
+//   loop_quality <sequence> [--step 15] [--first a] [--last b] [--vocabulary file] [--all-pairs]
+//   [--register]
+//                [--set key=value]... [--pictures folder] [--verbose]
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "cvo_slam/apps/settings.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/pose_interpolation.h"
+#include "cvo_slam/frontend/point_selection.h"
+#include "cvo_slam/frontend/registration.h"
+#include "cvo_slam/io/dataset.h"
+#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/loop/loop_detector.h"
+#include "cvo_slam/loop/vocabulary_file.h"
+
+namespace cvo_slam {
+namespace {
+
+struct QualityArguments {
+  std::string sequence;
+  std::string vocabulary;
+  std::string pictures;
+  std::vector<std::string> settings;
+  std::size_t step = 15;
+  std::size_t first = 0;
+  std::size_t last = 1000000000;
+  bool all_pairs = false;
+  bool registration = false;
+  bool verbose = false;
+};
+
+/// A keyframe and where it truly is.
+struct KnownView {
+  RgbdFrame frame;
+  SE3 T_world_camera;
+  std::shared_ptr<const Appearance> appearance;
+};
+
+/// A pair of keyframes and what the detector made of it.
+struct Judged {
+  std::size_t older = 0;
+  std::size_t newer = 0;
+  double overlap = 0;
+  double translation = 0;  // errors [m, rad]
+  double rotation = 0;
+  LoopMatch match;
+  RegistrationResult refined;  // where asked for
+
+  [[nodiscard]] bool is_correct() const {
+    constexpr double kTranslation = 0.05;  // [m]
+    constexpr double kRotation = 0.0524;   // 3 degrees
+    return translation <= kTranslation && rotation <= kRotation;
+  }
+};
+
+/// The share of b's surface that a sees as well, by their depth images.
+double seen_share(const KnownView& a, const KnownView& b, const Camera& camera) {
+  constexpr int kGrid = 16;  // [px]
+  const SE3 T_a_b = a.T_world_camera.inverse() * b.T_world_camera;
+  int total = 0;
+  int seen = 0;
+  for (int v = kGrid / 2; v < b.frame.depth.rows; v += kGrid) {
+    for (int u = kGrid / 2; u < b.frame.depth.cols; u += kGrid) {
+      const double z = b.frame.depth.at<std::uint16_t>(v, u) / camera.depth_scale;
+      if (z <= 0) continue;
+      ++total;
+      const Vector3 p = T_a_b * (z * camera.color.unproject({u, v}));
+      if (p.z() <= 0.1) continue;
+      const Eigen::Vector2d pixel = camera.color.project(p);
+      if (!camera.color.contains(pixel)) continue;
+      const double there = a.frame.depth.at<std::uint16_t>(static_cast<int>(pixel.y()),
+                                                           static_cast<int>(pixel.x())) /
+                           camera.depth_scale;
+      // Without a depth nothing says that it is hidden.
+      if (there <= 0 || std::abs(there - p.z()) < 0.05 + 0.05 * p.z()) ++seen;
+    }
+  }
+  return total > 0 ? static_cast<double>(seen) / total : 0;
+}
+
+double overlap(const KnownView& a, const KnownView& b, const Camera& camera) {
+  return std::min(seen_share(a, b, camera), seen_share(b, a, camera));
+}
+
+/// A run of the detector over a sequence.
+class Quality {
+ public:
+  explicit Quality(const QualityArguments& arguments)
+      : arguments_(arguments), data_(open_dataset(arguments.sequence)), options_(parse_options()) {
+    std::shared_ptr<const Vocabulary> vocabulary;
+    if (!arguments.vocabulary.empty()) {
+      vocabulary = std::make_shared<const Vocabulary>(read_vocabulary(arguments.vocabulary));
+    }
+    detector_.emplace(data_->camera(), options_, vocabulary);
+  }
+
+  void run() {
+    read_views();
+    find_revisits();
+    if (arguments_.all_pairs) {
+      verify_all_pairs();
+    } else {
+      detect();
+    }
+    print();
+  }
+
+ private:
+  LoopOptions parse_options() {
+    LoopOptions options;
+    const OptionSet set = describe(options);
+    for (const auto& setting : arguments_.settings) {
+      apply_setting(set, setting, "candidates.min_gap=20");
+    }
+    return options;
+  }
+
+  void read_views() {
+    const std::size_t end = std::min(data_->size(), arguments_.last + 1);
+    constexpr double kMaxGap = 0.1;  // [s]
+    for (std::size_t i = arguments_.first; i < end; i += arguments_.step) {
+      const auto pose = interpolate_at(data_->reference(), data_->stamp(i), kMaxGap);
+      if (!pose) continue;
+      KnownView view{data_->read(i), *pose, nullptr};
+      view.appearance = detector_->extract(view.frame);
+      features_ += view.appearance->features.size();
+      for (const auto& point : view.appearance->features.points) with_depth_ += point.has_depth();
+      views_.push_back(std::move(view));
+    }
+  }
+
+  /// The pairs outside the temporal exclusion that see at least half of the same.
+  void find_revisits() {
+    const auto gap = static_cast<std::size_t>(options_.candidates.min_gap);
+    for (std::size_t j = gap; j < views_.size(); ++j) {
+      for (std::size_t i = 0; i + gap < j; ++i) {
+        if (overlap_of(i, j) >= 0.5) revisits_[j].push_back(i);
+      }
+    }
+  }
+
+  [[nodiscard]] double overlap_of(std::size_t i, std::size_t j) const {
+    return overlap(views_[i], views_[j], data_->camera());
+  }
+
+  [[nodiscard]] Judged judge(std::size_t older, std::size_t newer, LoopMatch match) const {
+    const SE3 truth = views_[older].T_world_camera.inverse() * views_[newer].T_world_camera;
+    SE3 T_older_newer = match.verification.T_a_b;
+    RegistrationResult refined;
+    if (arguments_.registration && match.verification.accepted) {
+      refined = register_pair(older, newer, T_older_newer);
+      if (refined.status != RegistrationStatus::kFailed) T_older_newer = refined.T_fixed_moving;
+    }
+    const SE3 error = truth.inverse() * T_older_newer;
+    const double shared = overlap_of(older, newer);
+    return {older,
+            newer,
+            shared,
+            error.translation().norm(),
+            error.angle(),
+            std::move(match),
+            std::move(refined)};
+  }
+
+  /// What CVO makes of a loop, with as many points as the tracker takes.
+  [[nodiscard]] RegistrationResult register_pair(std::size_t older, std::size_t newer,
+                                                 const SE3& T_older_newer) const {
+    constexpr int kFixed = 6000;
+    constexpr int kMoving = 1500;
+    return align(select_points(views_[older].frame, data_->camera(), kFixed),
+                 select_points(views_[newer].frame, data_->camera(), kMoving), T_older_newer);
+  }
+
+  void detect() {
+    std::map<std::size_t, std::size_t> index_of;  // by id
+    for (std::size_t j = 0; j < views_.size(); ++j) {
+      index_of[views_[j].appearance->id] = j;
+      for (LoopMatch& match : detector_->find_loops(*views_[j].appearance)) {
+        const std::size_t older = index_of[match.keyframe];
+        judged_.push_back(judge(older, j, std::move(match)));
+      }
+      detector_->add(views_[j].appearance);
+    }
+  }
+
+  void verify_all_pairs() {
+    const LoopVerifier verifier(data_->camera().color, options_.verification);
+    const auto gap = static_cast<std::size_t>(options_.candidates.min_gap);
+    for (std::size_t j = gap; j < views_.size(); ++j) {
+      for (std::size_t i = 0; i + gap < j; ++i) {
+        LoopMatch match;
+        match.score = bag_score(views_[i].appearance->words.bag, views_[j].appearance->words.bag);
+        match.verification = verifier.verify(*views_[i].appearance, *views_[j].appearance);
+        judged_.push_back(judge(i, j, std::move(match)));
+      }
+    }
+  }
+
+  void print() const {
+    std::size_t seeing = 0;
+    std::size_t accepted = 0;
+    std::size_t correct = 0;
+    std::map<std::size_t, bool> candidate_of;
+    std::map<std::size_t, bool> found;
+    for (const Judged& judged : judged_) {
+      seeing += judged.overlap > 0.1 ? 1 : 0;
+      if (judged.overlap > 0.1) candidate_of[judged.newer] = true;
+      if (judged.match.verification.accepted) {
+        ++accepted;
+        correct += judged.is_correct() ? 1 : 0;
+        if (judged.is_correct()) found[judged.newer] = true;
+        if (!judged.is_correct()) draw(judged);
+      }
+      const bool wrong = judged.match.verification.accepted && !judged.is_correct();
+      if (arguments_.verbose || wrong) print(judged);
+    }
+    std::size_t reached = 0;
+    std::size_t closed = 0;
+    std::size_t events = 0;
+    std::size_t events_closed = 0;
+    std::size_t last = 0;
+    bool last_closed = false;
+    for (const auto& [newer, older] : revisits_) {
+      reached += candidate_of.contains(newer) ? 1 : 0;
+      closed += found.contains(newer) ? 1 : 0;
+      if (events == 0 || newer > last + 3) {
+        ++events;
+        last_closed = false;
+      }
+      if (found.contains(newer) && !last_closed) {
+        ++events_closed;
+        last_closed = true;
+      }
+      last = newer;
+    }
+    const auto n = static_cast<double>(std::max<std::size_t>(1, views_.size()));
+    fmt::print(
+        "{}: {} keyframes, {:.0f} features ({:.0f} with depth); candidates {} of which {} see "
+        "something of the same; verified {}, correct {}; revisiting keyframes {}: candidate {}, "
+        "found {}; events {}, found {}\n",
+        data_->name(), views_.size(), static_cast<double>(features_) / n,
+        static_cast<double>(with_depth_) / n, judged_.size(), seeing, accepted, correct,
+        revisits_.size(), reached, closed, events, events_closed);
+  }
+
+  static void print(const Judged& judged) {
+    const Verification& v = judged.match.verification;
+    fmt::print(
+        "{:4} {:4} overlap {:.2f} score {:.3f} {:.2f} consistent {} matches {} inliers {} visible "
+        "{:.2f} cover {:.2f} error {:.3f} m {:.4f} rad {} {}\n",
+        judged.older, judged.newer, judged.overlap, judged.match.score,
+        judged.match.normalized_score, judged.match.consistency, v.matches, v.inliers,
+        v.visible_share, v.coverage, judged.translation, judged.rotation,
+        v.accepted ? (judged.is_correct() ? "ACCEPTED" : "FALSE") : "rejected:", v.reason);
+    if (judged.refined.status == RegistrationStatus::kFailed) return;
+    fmt::print("          CVO: overlap {:.2f} cos_theta {:.3f}\n", judged.refined.overlap,
+               judged.refined.cos_theta);
+  }
+
+  void draw(const Judged& judged) const {
+    if (arguments_.pictures.empty()) return;
+    const cv::Mat& a = views_[judged.older].frame.color;
+    const cv::Mat& b = views_[judged.newer].frame.color;
+    cv::Mat both;
+    cv::hconcat(a, b, both);
+    for (const PixelPair& pair : judged.match.verification.pixels) {
+      cv::line(both, cv::Point2f(pair.a_u, pair.a_v),
+               cv::Point2f(pair.b_u + static_cast<float>(a.cols), pair.b_v), {0, 255, 0}, 1,
+               cv::LINE_AA);
+    }
+    make_folder(arguments_.pictures);
+    cv::imwrite(fmt::format("{}/{}_{}_{}.png", arguments_.pictures, data_->name(), judged.older,
+                            judged.newer),
+                both);
+  }
+
+  QualityArguments arguments_;
+  std::unique_ptr<Dataset> data_;
+  LoopOptions options_;
+  std::optional<LoopDetector> detector_;
+  std::vector<KnownView> views_;
+  std::map<std::size_t, std::vector<std::size_t>> revisits_;  // older ones of each newer
+  std::vector<Judged> judged_;
+  std::size_t features_ = 0;
+  std::size_t with_depth_ = 0;
+};
+
+}  // namespace
+}  // namespace cvo_slam
+
+int main(int argc, char** argv) {
+  cvo_slam::QualityArguments arguments;
+  CLI::App app("Precision and recall of the loop detector");
+  app.add_option("sequence", arguments.sequence)->required();
+  app.add_option("--step", arguments.step, "A keyframe each so many frames");
+  app.add_option("--first", arguments.first, "Frame to begin with");
+  app.add_option("--last", arguments.last, "Last frame");
+  app.add_option("--vocabulary", arguments.vocabulary, "Another than the built-in one");
+  app.add_option("--set", arguments.settings, "key=value")->allow_extra_args(false);
+  app.add_option("--pictures", arguments.pictures, "Where to draw false loops");
+  app.add_flag("--all-pairs", arguments.all_pairs, "Verify every pair, whatever its words");
+  app.add_flag("--register", arguments.registration, "Refine verified loops by CVO");
+  app.add_flag("--verbose", arguments.verbose, "A line for each candidate");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    cvo_slam::Quality(arguments).run();
+  } catch (const cvo_slam::Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+  return 0;
+}

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cvo_slam/loop/keyframe_database.h"
+
+namespace cvo_slam {
+
+/// Keyframes that follow one another and look alike: one place.
+struct CandidateGroup {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  KeyframeMatch best;
+  double total_score = 0;
+};
+
+/// Of matches in ascending order of keyframes: those at most `gap` apart make a group. The groups
+/// with the highest total score come first, the earlier of equal ones.
+[[nodiscard]] std::vector<CandidateGroup> group_candidates(
+    const std::vector<KeyframeMatch>& matches, std::size_t gap);
+
+}  // namespace cvo_slam

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/loop/keyframe_database.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+
+KeyframeDatabase::KeyframeDatabase(std::size_t words) : entries_(words) {}
+
+void KeyframeDatabase::add(const BagOfWords& bag) {
+  if (!bag.empty() && bag.back().word >= entries_.size()) {
+    throw DataError(
+        fmt::format("keyframe with the word {}: the vocabulary has {}; use the one that made it",
+                    bag.back().word, entries_.size()));
+  }
+  const auto keyframe = static_cast<std::uint32_t>(size());
+  for (const WordWeight& word : bag) entries_[word.word].push_back({keyframe, word.weight});
+  sums_.emplace_back();
+}
+
+std::vector<KeyframeMatch> KeyframeDatabase::query(const BagOfWords& bag, std::size_t end) {
+  std::vector<std::uint32_t> touched;
+  for (const WordWeight& word : bag) {
+    if (word.word >= entries_.size()) continue;
+    for (const Entry& entry : entries_[word.word]) {
+      if (entry.keyframe >= end) break;
+      Sum& sum = sums_[entry.keyframe];
+      if (sum.shared_words++ == 0) touched.push_back(entry.keyframe);
+      sum.score += std::min(word.weight, entry.weight);
+    }
+  }
+  std::sort(touched.begin(), touched.end());
+  std::vector<KeyframeMatch> matches;
+  matches.reserve(touched.size());
+  for (const std::uint32_t keyframe : touched) {
+    matches.push_back({keyframe, sums_[keyframe].score, sums_[keyframe].shared_words});
+    sums_[keyframe] = Sum();
+  }
+  return matches;
+}
+
+std::size_t KeyframeDatabase::bytes() const {
+  return std::accumulate(entries_.begin(), entries_.end(),
+                         entries_.capacity() * sizeof(entries_[0]) + sums_.capacity() * sizeof(Sum),
+                         [](std::size_t sum, const std::vector<Entry>& entries) {
+                           return sum + entries.capacity() * sizeof(Entry);
+                         });
+}
+
+}  // namespace cvo_slam

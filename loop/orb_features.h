@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/options.h"
+#include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/loop/descriptor.h"
+
+namespace cvo_slam {
+
+struct OrbOptions {
+  int features = 1000;
+  int levels = 8;
+  double scale = 1.2;
+  int threshold = 20;
+  int low_threshold = 7;
+  int per_cell = 4;
+};
+
+[[nodiscard]] OptionSet describe(OrbOptions& options);
+
+/// A corner of an image.
+struct OrbFeature {
+  float u = 0;  ///< where it is in the image [px]
+  float v = 0;
+  float x = 0;  ///< its ray (x, y, 1) in the camera frame, distortion removed
+  float y = 0;
+  float depth = 0;  ///< along z [m]; 0 = unknown
+  float angle = 0;  ///< orientation, clockwise from the image's x axis [rad], in [0, 2 pi)
+  float size = 1;   ///< scale of its pyramid level: how many pixels one of that level is
+
+  [[nodiscard]] bool has_depth() const { return depth > 0; }
+  /// In the camera frame [m]; of a feature with depth.
+  [[nodiscard]] Vector3 position() const { return static_cast<double>(depth) * ray(); }
+  [[nodiscard]] Vector3 ray() const { return {x, y, 1}; }
+};
+
+/// The features of an image; both lists have the same size.
+struct OrbFeatures {
+  std::vector<OrbFeature> points;
+  std::vector<Descriptor> descriptors;
+
+  [[nodiscard]] std::size_t size() const { return points.size(); }
+  [[nodiscard]] bool empty() const { return points.empty(); }
+};
+
+/// Oriented FAST corners with their ORB descriptors (E. Rublee et al., "ORB: an efficient
+/// alternative to SIFT or SURF", ICCV 2011; OpenCV's implementation), the strongest of each cell of
+/// a grid in turn, so that they are spread evenly over the image. Cells without any are searched
+/// again for weaker ones.
+///
+/// An image that is empty, too small or neither CV_8UC3 nor CV_8UC1 has no features. A depth image
+/// that is missing, of another size or type gives none of them a depth; nor has a feature one whose
+/// neighbours are at very different depths, for it may belong to either side of the edge.
+[[nodiscard]] OrbFeatures extract_orb(const RgbdFrame& frame, const Camera& camera,
+                                      const OrbOptions& options = {});
+
+}  // namespace cvo_slam
