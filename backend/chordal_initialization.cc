@@ -129,7 +129,7 @@ std::optional<std::vector<SE3>> chordal_initialization(const PoseGraph& graph) {
   std::vector<Eigen::RowVector3d> positions;
   std::vector<SE3> poses;
   for (const PoseGraphNode& node : graph.nodes()) {
-    transposed.push_back(node.T_world_node.rotation().transpose());
+    transposed.emplace_back(node.T_world_node.rotation().transpose());
     positions.emplace_back(node.T_world_node.translation().transpose());
     poses.push_back(node.T_world_node);
   }
