@@ -10,6 +10,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_info_command(app, action);
   add_synth_command(app, action);
   add_optimize_command(app, action);
+  add_render_command(app, action);
   add_bench_command(app, action);
 }
 
