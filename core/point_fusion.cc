@@ -20,17 +20,44 @@ struct Sample {
   std::array<std::uint8_t, 3> color;  // red, green, blue
 };
 
+/// The directions (x/z, y/z, 1) of the pixels of sampled frames, which are mostly of one size.
+class Rays {
+ public:
+  Rays(const SampledFrame& frame, const PinholeCamera& camera)
+      : size_(frame.depth.size()), pixel_step_(frame.pixel_step) {
+    rays_.reserve(frame.depth.total());
+    for (int v = 0; v < size_.height; ++v) {
+      for (int u = 0; u < size_.width; ++u) {
+        const Eigen::Vector2d pixel(u * pixel_step_ + pixel_step_ / 2,
+                                    v * pixel_step_ + pixel_step_ / 2);
+        rays_.emplace_back(camera.unproject(pixel).cast<float>());
+      }
+    }
+  }
+
+  [[nodiscard]] bool are_of(const SampledFrame& frame) const {
+    return frame.depth.size() == size_ && frame.pixel_step == pixel_step_;
+  }
+  [[nodiscard]] const Eigen::Vector3f& operator()(int u, int v) const {
+    return rays_[static_cast<std::size_t>(v * size_.width + u)];
+  }
+
+ private:
+  cv::Size size_;
+  int pixel_step_;
+  std::vector<Eigen::Vector3f> rays_;
+};
+
 /// The points of a sampled depth image, and where it has none.
 class DepthSurface {
  public:
-  DepthSurface(const SampledFrame& frame, const Camera& camera, const FusionOptions& options)
+  DepthSurface(const SampledFrame& frame, const Rays& ray, const Camera& camera,
+               const FusionOptions& options)
       : frame_(frame),
-        camera_(camera),
+        ray_(ray),
         options_(options),
         metres_(static_cast<float>(1 / camera.depth_scale)),
-        max_depth_(static_cast<float>(options.max_depth)) {
-    if (camera_.color.has_distortion()) prepare_rays();
-  }
+        max_depth_(static_cast<float>(options.max_depth)) {}
 
   [[nodiscard]] std::vector<Sample> samples() const {
     std::vector<Sample> result;
@@ -45,27 +72,6 @@ class DepthSurface {
   }
 
  private:
-  [[nodiscard]] Eigen::Vector2d pixel(int u, int v) const {
-    const int step = frame_.pixel_step;
-    return {step * u + step / 2, step * v + step / 2};
-  }
-
-  void prepare_rays() {
-    for (int v = 0; v < frame_.depth.rows; ++v) {
-      for (int u = 0; u < frame_.depth.cols; ++u) {
-        rays_.emplace_back(camera_.color.unproject(pixel(u, v)).cast<float>());
-      }
-    }
-  }
-
-  [[nodiscard]] Eigen::Vector3f ray(int u, int v) const {
-    if (!rays_.empty()) return rays_[static_cast<std::size_t>(v * frame_.depth.cols + u)];
-    const PinholeCamera& camera = camera_.color;
-    const Eigen::Vector2d p = pixel(u, v);
-    return {static_cast<float>((p.x() - camera.cx) / camera.fx),
-            static_cast<float>((p.y() - camera.cy) / camera.fy), 1};
-  }
-
   /// [m]; 0 where there is none.
   [[nodiscard]] float depth(int u, int v) const {
     const bool inside = u >= 0 && v >= 0 && u < frame_.depth.cols && v < frame_.depth.rows;
@@ -81,8 +87,8 @@ class DepthSurface {
     const bool has_before = before > 0 && std::fabs(before - z) < limit;
     const bool has_after = after > 0 && std::fabs(after - z) < limit;
     if (!has_before && !has_after) return false;
-    const Eigen::Vector3f from = has_before ? before * ray(u - du, v - dv) : z * ray(u, v);
-    const Eigen::Vector3f to = has_after ? after * ray(u + du, v + dv) : z * ray(u, v);
+    const Eigen::Vector3f from = has_before ? before * ray_(u - du, v - dv) : z * ray_(u, v);
+    const Eigen::Vector3f to = has_after ? after * ray_(u + du, v + dv) : z * ray_(u, v);
     direction = to - from;
     return true;
   }
@@ -93,7 +99,7 @@ class DepthSurface {
     Eigen::Vector3f along_u;
     Eigen::Vector3f along_v;
     if (!tangent(u, v, z, 1, 0, along_u) || !tangent(u, v, z, 0, 1, along_v)) return false;
-    sample.position = z * ray(u, v);
+    sample.position = z * ray_(u, v);
     sample.normal = along_u.cross(along_v).normalized();
     if (sample.normal.dot(sample.position) > 0) sample.normal = -sample.normal;
     const float cosine = -sample.normal.dot(sample.position) / sample.position.norm();
@@ -112,11 +118,10 @@ class DepthSurface {
   }
 
   const SampledFrame& frame_;
-  const Camera& camera_;
+  const Rays& ray_;
   const FusionOptions& options_;
   float metres_;
   float max_depth_;
-  std::vector<Eigen::Vector3f> rays_;  // with distortion only: without they cost nothing
 };
 
 bool is_usable(const PosedFrame& posed) {
@@ -127,10 +132,12 @@ bool is_usable(const PosedFrame& posed) {
          posed.T_world_camera.matrix().allFinite();
 }
 
-std::vector<Sample> samples_in_camera(const PosedFrame& posed, const Camera& camera,
-                                      const FusionOptions& options) {
-  return is_usable(posed) ? DepthSurface(posed.frame, camera, options).samples()
-                          : std::vector<Sample>();
+std::vector<Sample> samples_in_camera(const PosedFrame& posed, const Rays& usual_rays,
+                                      const Camera& camera, const FusionOptions& options) {
+  if (!is_usable(posed)) return {};
+  const SampledFrame& frame = posed.frame;
+  if (usual_rays.are_of(frame)) return DepthSurface(frame, usual_rays, camera, options).samples();
+  return DepthSurface(frame, Rays(frame, camera.color), camera, options).samples();
 }
 
 void add_to(VoxelGrid& grid, const std::vector<Sample>& samples, const SE3& T_world_camera) {
@@ -152,6 +159,10 @@ OptionSet describe(FusionOptions& o) {
            "2 m with a Kinect, which the voxels want no finer; half costs four times as much")
       .add("voxel_size", o.voxel_size, {1e-3, 10}, "m",
            "Edge of the cubes of which each leaves one point. 2 cm: a Kinect's noise at 3 m")
+      .add("min_samples", o.min_samples, {1, 1000}, "",
+           "Voxels that fewer pixels saw leave no point: most are noise. 2: more would thin out "
+           "what "
+           "a single keyframe saw 2 m away")
       .add("max_depth", o.max_depth, {0.1, 1000}, "m",
            "Pixels further away are left out. A Kinect's depth is 5 cm coarse at 5 m")
       .add("max_jump", o.max_jump, {1e-3, 1}, "",
@@ -192,17 +203,18 @@ std::vector<MapPoint> fuse_points(std::span<const PosedFrame> frames, const Came
   // A batch is computed in parallel and added in order; a fixed size bounds the memory.
   constexpr std::size_t kBatch = 16;
   VoxelGrid grid(options.voxel_size);
+  const Rays rays(frames.empty() ? SampledFrame() : frames.front().frame, camera.color);
   std::array<std::vector<Sample>, kBatch> samples;
   for (std::size_t begin = 0; begin < frames.size(); begin += kBatch) {
     const auto batch = frames.subspan(begin, std::min(kBatch, frames.size() - begin));
     executor.for_each_chunk(batch.size(), 1, [&](std::size_t, std::size_t i, std::size_t) {
-      samples[i] = samples_in_camera(batch[i], camera, options);
+      samples[i] = samples_in_camera(batch[i], rays, camera, options);
     });
     for (std::size_t i = 0; i < batch.size(); ++i) {
       add_to(grid, samples[i], batch[i].T_world_camera);
     }
   }
-  return grid.points();
+  return grid.points(options.min_samples);
 }
 
 }  // namespace cvo_slam

@@ -19,6 +19,7 @@ namespace cvo_slam {
 struct FusionOptions {
   int pixel_step = 4;
   double voxel_size = 0.02;
+  int min_samples = 2;
   double max_depth = 5;
   double max_jump = 0.05;
   double min_cosine = 0.15;

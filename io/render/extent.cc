@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <tuple>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -14,6 +17,26 @@ namespace {
 /// Of the map's points, on either side: stray ones do not decide where the picture is taken from.
 constexpr double kTrimmedShare = 0.004;
 constexpr double kLeastSize = 0.5;  // [m]
+
+/// By how much the horizontal axes must be turned to be along walls that are square to one another
+/// [rad], at most an eighth of a turn; 0 where the normals do not agree.
+double direction_of_walls(const LevelAxes& axes, const std::vector<MapPoint>& points) {
+  constexpr std::size_t kEnough = 100'000;
+  constexpr double kLevel = 0.2;  // a wall's normal is level to 12 degrees
+  const std::size_t step = 1 + points.size() / kEnough;
+  std::complex<double> sum;
+  double count = 0;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    const Vector3 normal = axes.coordinates(points[i].normal.cast<double>());
+    const bool is_wall = std::fabs(normal.z()) < kLevel && normal.squaredNorm() > 0.25;
+    if (!is_wall) continue;
+    // All four directions of a square room become one.
+    sum += std::polar(1.0, 4 * std::atan2(normal.y(), normal.x()));
+    ++count;
+  }
+  constexpr double kLeastAgreement = 0.25;
+  return std::abs(sum) > kLeastAgreement * count ? std::arg(sum) / 4 : 0;
+}
 
 std::vector<Vector3> sampled_points(const Scene& scene) {
   constexpr std::size_t kEnough = 50'000;
@@ -74,17 +97,20 @@ void include_place(Extent& extent, const Vector3& place) {
 
 }  // namespace
 
-LevelAxes level_axes(const Vector3& up) {
+LevelAxes level_axes(const Vector3& up, const std::vector<MapPoint>& points) {
   const Vector3 u = up.normalized();
   // Of x and z the one that is further from up.
   const Vector3 hint = std::fabs(u.x()) < 0.9 ? Vector3::UnitX() : Vector3::UnitZ();
   const Vector3 right = (hint - hint.dot(u) * u).normalized();
-  return {right, u.cross(right), u};
+  const LevelAxes axes{right, u.cross(right), u};
+  const double turn = direction_of_walls(axes, points);
+  const Vector3 turned = std::cos(turn) * axes.right + std::sin(turn) * axes.ahead;
+  return {turned, u.cross(turned), u};
 }
 
 Extent extent_of(const Scene& scene) {
   Extent extent;
-  extent.axes = level_axes(scene.up);
+  extent.axes = level_axes(scene.up, scene.points);
   include_points(extent, sampled_points(scene));
   for (const Vector3& place : camera_places(scene)) include_place(extent, place);
   const Vector3 missing = (Vector3::Constant(kLeastSize) - (extent.max - extent.min)).cwiseMax(0);

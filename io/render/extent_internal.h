@@ -11,8 +11,7 @@ namespace cvo_slam::render {
   return place.cwiseAbs().maxCoeff() <= kMaxCoordinate && place.allFinite();
 }
 
-/// The axes of a level world: two horizontal ones and up, right-handed. Where the world's z or -y
-/// points up, they are the world's own axes.
+/// The axes of a level world: two horizontal ones and up, right-handed.
 struct LevelAxes {
   Vector3 right;
   Vector3 ahead;
@@ -26,7 +25,9 @@ struct LevelAxes {
   }
 };
 
-[[nodiscard]] LevelAxes level_axes(const Vector3& up);
+/// The horizontal axes are along walls where most of the points' normals agree on them. Elsewhere
+/// they are the world's own where its z or -y points up.
+[[nodiscard]] LevelAxes level_axes(const Vector3& up, const std::vector<MapPoint>& points);
 
 /// Where a scene is, in coordinates of its level axes. Points beyond it are few.
 struct Extent {

@@ -9,7 +9,7 @@
 namespace cvo_slam::render {
 namespace {
 
-constexpr Color kLineColor{208, 212, 216};
+constexpr Color kLineColor{192, 198, 204};
 constexpr double kCells = 7;  // about so many along the longer side
 
 /// The 1, 2 or 5 times a power of ten that is next above.
@@ -37,10 +37,10 @@ Grid::Grid(const Extent& extent, const View& view) : level_(extent.axes), view_(
   const int first = normal_ == 0 ? 1 : 0;
   const int second = normal_ == 2 ? 1 : 2;
   step_ = round_up(std::max(sizes[first], sizes[second]) / kCells);
-  const auto down = [&](double value) { return step_ * std::floor(value / step_); };
-  const auto up = [&](double value) { return step_ * std::ceil(value / step_); };
-  min_ = {down(extent.min[first]), down(extent.min[second])};
-  max_ = {up(extent.max[first]), up(extent.max[second])};
+  // A little more than the scene, and within the picture that it was framed for.
+  const double around = 0.05 * std::max(sizes[first], sizes[second]);
+  min_ = {extent.min[first] - around, extent.min[second] - around};
+  max_ = {extent.max[first] + around, extent.max[second] + around};
 }
 
 Vector3 Grid::place(double first, double second) const {
@@ -56,8 +56,9 @@ Vector3 Grid::place(double first, double second) const {
 
 std::vector<double> Grid::lines(int axis) const {
   std::vector<double> values;
-  const auto count = static_cast<int>(std::lround((max_[axis] - min_[axis]) / step_));
-  for (int i = 0; i <= count; ++i) values.push_back(min_[axis] + i * step_);
+  const double first = std::ceil(min_[axis] / step_);
+  const auto count = static_cast<int>(std::floor(max_[axis] / step_) - first);
+  for (int i = 0; i <= count; ++i) values.push_back((first + i) * step_);
   return values;
 }
 

@@ -65,12 +65,22 @@ bool Overlay::is_free(const cv::Rect& box) const {
          });
 }
 
-void Overlay::draw(const std::vector<Label>& labels) {
+bool Overlay::is_hidden(const Vector3& pixel, const cv::Mat& depth) const {
+  if (depth.empty()) return false;
+  const auto u = static_cast<int>(std::lround(pixel.x()));
+  const auto v = static_cast<int>(std::lround(pixel.y()));
+  // The line that the place lies on does not hide it.
+  const double slack = view_.orthographic ? 1e-3 * (view_.far - view_.near) : 0.01 * pixel.z();
+  return depth.at<float>(std::clamp(v, 0, depth.rows - 1), std::clamp(u, 0, depth.cols - 1)) <
+         view_.buffer_depth(pixel.z() - slack);
+}
+
+void Overlay::draw(const std::vector<Label>& labels, const cv::Mat& depth) {
   for (const Label& label : labels) {
     const Vector3 p = view_.project(label.place);
     const Vector3 q = view_.project(label.away_from);
     if (!view_.orthographic && (p.z() < view_.near || q.z() < view_.near)) continue;
-    if (!view_.camera.contains(p.head<2>())) continue;
+    if (!view_.camera.contains(p.head<2>()) || is_hidden(p, depth)) continue;
     const Eigen::Vector2d away = (p - q).head<2>().stableNormalized();
     const auto extent = image_text_extent(label.text, kLabelSize * unit_);
     // The box's border, not its centre, keeps the distance.

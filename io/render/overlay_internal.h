@@ -25,8 +25,9 @@ class Overlay {
   Overlay(cv::Mat& image, const View& view, double unit)
       : image_(image), view_(view), unit_(unit) {}
 
-  /// Beside their places, those left out that would cover one before.
-  void draw(const std::vector<Label>& labels);
+  /// Beside their places; those left out that would cover one before, and those whose places are
+  /// hidden in `depth`, the raster's, where one is given.
+  void draw(const std::vector<Label>& labels, const cv::Mat& depth = {});
   void draw_title(const std::string& title);
   void draw_legend(const std::vector<LegendEntry>& entries, const ColorScale& scale,
                    const std::string& value_label);
@@ -39,6 +40,7 @@ class Overlay {
   void draw_scale(cv::Point origin, int width, const ColorScale& scale,
                   const std::string& value_label);
   [[nodiscard]] int px(double units) const;
+  [[nodiscard]] bool is_hidden(const Vector3& pixel, const cv::Mat& depth) const;
 
   cv::Mat& image_;
   const View& view_;

@@ -84,7 +84,7 @@ Picture draw_picture(const Scene& scene, const ViewOptions& options, Renderer& r
   overlay.draw_title(scene.title);
   overlay.draw_legend(legend_of(scene, scale), scale, scene.value_label);
   overlay.draw(axis_labels(extent));
-  overlay.draw(grid.labels());
+  overlay.draw(grid.labels(), raster.depth);
   return {shrunk(raster.color), scene_notes(scene)};
 }
 

@@ -111,8 +111,8 @@ double estimate_point_size(const std::vector<MapPoint>& points) {
   const double cell = (max - min).maxCoeff() / kCells;
   if (!(cell > 0)) return kSingle;
   const double area = static_cast<double>(count_cells(places, min, cell)) * cell * cell;
-  // Discs as wide as the diagonal of a square grid's cell, and a little more, leave no holes.
-  constexpr double kDiagonal = 1.6;
+  // Discs as wide as the diagonal of a square grid's cell leave no holes in it.
+  constexpr double kDiagonal = 1.42;
   return kDiagonal * std::sqrt(area / static_cast<double>(points.size()));
 }
 

@@ -34,7 +34,7 @@ PosedFrame posed(const RgbdFrame& frame, const SE3& T_world_camera = {}, int ste
   return {sample_frame(frame, step), T_world_camera};
 }
 
-FusionOptions fine_voxels() { return {.pixel_step = 1, .voxel_size = 0.005}; }
+FusionOptions fine_voxels() { return {.pixel_step = 1, .voxel_size = 0.005, .min_samples = 1}; }
 
 TEST(SampleFrame, TakesEveryNthPixelFromTheMiddleOfItsCell) {
   RgbdFrame frame = wall(1000);
