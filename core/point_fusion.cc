@@ -155,8 +155,8 @@ void add_to(VoxelGrid& grid, const std::vector<Sample>& samples, const SE3& T_wo
 OptionSet describe(FusionOptions& o) {
   return OptionSet()
       .add("pixel_step", o.pixel_step, {1, 64}, "px",
-           "Every which pixel, along and across, of a keyframe becomes a point. 4: 1.5 cm apart at "
-           "2 m with a Kinect, which the voxels want no finer; half costs four times as much")
+           "Every which pixel, along and across, of a keyframe becomes a point. 3: 1.1 cm apart at "
+           "2 m with a Kinect, so that one view puts two or three into a voxel")
       .add("voxel_size", o.voxel_size, {1e-3, 10}, "m",
            "Edge of the cubes of which each leaves one point. 2 cm: a Kinect's noise at 3 m")
       .add("min_samples", o.min_samples, {1, 1000}, "",
@@ -164,7 +164,7 @@ OptionSet describe(FusionOptions& o) {
            "what "
            "a single keyframe saw 2 m away")
       .add("max_depth", o.max_depth, {0.1, 1000}, "m",
-           "Pixels further away are left out. A Kinect's depth is 5 cm coarse at 5 m")
+           "Pixels further away are left out. A Kinect's depth is 3 cm coarse at 4 m")
       .add("max_jump", o.max_jump, {1e-3, 1}, "",
            "Neighbouring pixels whose depths differ by more than this share of the depth see "
            "different surfaces. 0.05: a wall seen at 70 degrees, four pixels apart")

@@ -17,10 +17,10 @@ namespace cvo_slam {
 
 /// How frames become the points of a map.
 struct FusionOptions {
-  int pixel_step = 4;
+  int pixel_step = 3;
   double voxel_size = 0.02;
   int min_samples = 2;
-  double max_depth = 5;
+  double max_depth = 4;
   double max_jump = 0.05;
   double min_cosine = 0.15;
 };

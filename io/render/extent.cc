@@ -17,6 +17,8 @@ namespace {
 /// Of the map's points, on either side: stray ones do not decide where the picture is taken from.
 constexpr double kTrimmedShare = 0.004;
 constexpr double kLeastSize = 0.5;  // [m]
+/// So many stand for all of them.
+constexpr std::size_t kEnoughPoints = 50'000;
 
 /// By how much the horizontal axes must be turned to be along walls that are square to one another
 /// [rad], at most an eighth of a turn; 0 where the normals do not agree.
@@ -39,8 +41,7 @@ double direction_of_walls(const LevelAxes& axes, const std::vector<MapPoint>& po
 }
 
 std::vector<Vector3> sampled_points(const Scene& scene) {
-  constexpr std::size_t kEnough = 50'000;
-  const std::size_t step = 1 + scene.points.size() / kEnough;
+  const std::size_t step = 1 + scene.points.size() / kEnoughPoints;
   std::vector<Vector3> places;
   for (std::size_t i = 0; i < scene.points.size(); i += step) {
     const Vector3 place = scene.points[i].position.cast<double>();
@@ -119,13 +120,24 @@ Extent extent_of(const Scene& scene) {
   return extent;
 }
 
+std::vector<Vector3> points_within(const std::vector<MapPoint>& points, const Extent& extent,
+                                   std::size_t enough) {
+  const std::size_t step = 1 + points.size() / enough;
+  std::vector<Vector3> places;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    const Vector3 place = points[i].position.cast<double>();
+    const Vector3 c = extent.axes.coordinates(place);
+    if ((c.array() >= extent.min.array()).all() && (c.array() <= extent.max.array()).all()) {
+      places.push_back(place);
+    }
+  }
+  return places;
+}
+
 std::vector<Vector3> framed_places(const Scene& scene, const Extent& extent) {
   std::vector<Vector3> places = camera_places(scene);
-  for (const Vector3& point : sampled_points(scene)) {
-    const Vector3 c = extent.axes.coordinates(point);
-    if ((c.array() >= extent.min.array()).all() && (c.array() <= extent.max.array()).all()) {
-      places.push_back(point);
-    }
+  for (const Vector3& point : points_within(scene.points, extent, kEnoughPoints)) {
+    places.push_back(point);
   }
   // A single place has no size of its own.
   constexpr std::size_t kFew = 3;

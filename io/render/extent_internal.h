@@ -44,6 +44,10 @@ struct Extent {
 /// At least half a metre along each axis, so that a single pose has a picture too.
 [[nodiscard]] Extent extent_of(const Scene& scene);
 
+/// Of the points within the extent every n-th, so that there are at most `enough`.
+[[nodiscard]] std::vector<Vector3> points_within(const std::vector<MapPoint>& points,
+                                                 const Extent& extent, std::size_t enough);
+
 /// Places that stand for the whole scene when it is framed: those within the extent.
 [[nodiscard]] std::vector<Vector3> framed_places(const Scene& scene, const Extent& extent);
 

@@ -53,7 +53,7 @@ cv::Mat draw_message(const ViewOptions& options, const View& view, const std::st
 Primitives primitives_of(const Scene& scene, const Extent& extent, const Grid& grid,
                          const ColorScale& scale, const View& view, double unit) {
   Primitives primitives;
-  add_surface(scene, view, primitives.splats);
+  add_surface(scene, extent, view, primitives.splats);
   LineArt art(view, primitives);
   grid.add_to(art, unit);
   add_constraints(scene, unit, art);

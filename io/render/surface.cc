@@ -11,13 +11,14 @@ namespace cvo_slam::render {
 namespace {
 
 /// The numbers of the cells of a cubic grid that hold points, each once.
-std::size_t count_cells(const std::vector<Vector3>& places, const Vector3& corner, double cell) {
+std::size_t count_cells(const std::vector<Vector3>& places, double cell) {
   std::vector<std::uint64_t> keys;
   keys.reserve(places.size());
   for (const Vector3& place : places) {
     std::uint64_t key = 0;
-    for (const double coordinate : (place - corner) / cell) {
-      key = (key << 21U) | static_cast<std::uint64_t>(coordinate);
+    for (const double coordinate : (place - places.front()) / cell) {
+      constexpr double kMiddle = 1 << 20;
+      key = (key << 21U) | static_cast<std::uint64_t>(coordinate + kMiddle);
     }
     keys.push_back(key);
   }
@@ -90,34 +91,29 @@ class SurfaceView {
 
 }  // namespace
 
-double estimate_point_size(const std::vector<MapPoint>& points) {
+double estimate_point_size(const Scene& scene, const Extent& extent) {
   constexpr std::size_t kEnough = 200'000;
-  const std::size_t step = 1 + points.size() / kEnough;
-  std::vector<Vector3> places;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    const Vector3 place = points[i].position.cast<double>();
-    if (is_drawable(place)) places.push_back(place);
-  }
+  const std::vector<Vector3> places = points_within(scene.points, extent, kEnough);
   constexpr double kSingle = 0.02;  // [m]
   if (places.size() < 2) return kSingle;
-  Vector3 min = places[0];
-  Vector3 max = places[0];
-  for (const Vector3& place : places) {
-    min = min.cwiseMin(place);
-    max = max.cwiseMax(place);
+  // Cells that hold several points each: their number times their face is the area.
+  constexpr std::size_t kPointsInACell = 4;
+  const double widest = (extent.max - extent.min).maxCoeff();
+  double cell = widest / 256;
+  std::size_t cells = count_cells(places, cell);
+  while (kPointsInACell * cells > places.size() && cell < widest) {
+    cell *= 1.5;
+    cells = count_cells(places, cell);
   }
-  // Cells that are wide against the distance of points: their number times their face is the area.
-  constexpr double kCells = 128;
-  const double cell = (max - min).maxCoeff() / kCells;
-  if (!(cell > 0)) return kSingle;
-  const double area = static_cast<double>(count_cells(places, min, cell)) * cell * cell;
+  const double area = static_cast<double>(cells) * cell * cell;
   // Discs as wide as the diagonal of a square grid's cell leave no holes in it.
   constexpr double kDiagonal = 1.42;
-  return kDiagonal * std::sqrt(area / static_cast<double>(points.size()));
+  return kDiagonal * std::sqrt(area / static_cast<double>(scene.points.size()));
 }
 
-void add_surface(const Scene& scene, const View& view, std::vector<Splat>& splats) {
-  const double size = scene.point_size > 0 ? scene.point_size : estimate_point_size(scene.points);
+void add_surface(const Scene& scene, const Extent& extent, const View& view,
+                 std::vector<Splat>& splats) {
+  const double size = scene.point_size > 0 ? scene.point_size : estimate_point_size(scene, extent);
   const SurfaceView surface(view, size);
   splats.reserve(splats.size() + scene.points.size());
   Splat splat;
