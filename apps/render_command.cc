@@ -32,7 +32,8 @@ struct RenderArguments {
   PathColor color = PathColor::kTime;
   render::RendererKind renderer = render::RendererKind::kAuto;
   render::ViewOptions view;
-  double azimuth = 0;  // [deg]
+  double azimuth = 0;     // [deg]
+  double point_size = 0;  // [m]
   int frames = 0;
 };
 
@@ -90,6 +91,7 @@ render::Scene load_scene(const RenderArguments& arguments) {
     throw OptionError("--color error needs the true trajectory: name it with --reference");
   }
   scene.title = arguments.title;
+  scene.point_size = arguments.point_size;
   return scene;
 }
 
@@ -201,6 +203,10 @@ void add_options(CLI::App& command, RenderArguments& arguments) {
                   "auto, osmesa, egl or splat; auto = osmesa, or splat where it is not installed "
                   "(default auto)")
       ->transform(choice(render::renderer_names()));
+  command
+      .add_option("--point-size", arguments.point_size,
+                  "Diameter of the map's points [m] (default: by their density)")
+      ->check(CLI::Range(0.0, 100.0));
   command.add_option("--title", arguments.title, "Written on the picture");
 }
 

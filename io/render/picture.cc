@@ -92,7 +92,9 @@ void write_picture(const std::filesystem::path& file, const cv::Mat& image) {
   const std::string extension = file.extension().string();
   const bool jpeg = extension == ".jpg" || extension == ".jpeg";
   std::vector<unsigned char> bytes;
-  if (!cv::imencode(jpeg ? ".jpg" : ".png", image, bytes)) {
+  const std::vector<int> options =
+      jpeg ? std::vector<int>{cv::IMWRITE_JPEG_QUALITY, 85} : std::vector<int>{};
+  if (!cv::imencode(jpeg ? ".jpg" : ".png", image, bytes, options)) {
     throw OutputError(file, "OpenCV cannot encode the image");
   }
   write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});

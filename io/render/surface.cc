@@ -26,12 +26,15 @@ std::size_t count_cells(const std::vector<Vector3>& places, double cell) {
   return static_cast<std::size_t>(std::unique(keys.begin(), keys.end()) - keys.begin());
 }
 
+/// A smaller disc would fall between the pixels [px].
+constexpr double kLeastRadius = 0.71;
+
 /// The disc of a point in its own plane, seen along the ray: its slopes on the image.
 void set_slopes(const Vector3& normal, const Vector3& ray, const Matrix3& R_view_world,
                 Splat& splat) {
-  // Steeper discs would be lines with holes between them.
-  constexpr double kLeastCosine = 0.3;
-  const double cosine = std::min(normal.dot(ray), -kLeastCosine);
+  // Steeper discs would be lines with holes between them, or fall between the pixels.
+  const double least_cosine = std::clamp(kLeastRadius / splat.radius, 0.3, 1.0);
+  const double cosine = std::min(normal.dot(ray), -least_cosine);
   const Vector3 across = R_view_world * (normal - normal.dot(ray) * ray);
   splat.slope_x = static_cast<float>(across.x() / cosine);
   splat.slope_y = static_cast<float>(across.y() / cosine);
@@ -69,16 +72,13 @@ class SurfaceView {
     const Vector3 ray = view_.ray(place);
     const bool has_normal = normal.squaredNorm() > 0.25;  // a unit vector or none
     if (has_normal && normal.dot(ray) >= 0) return false;
-    // Below half a pixel it would fall between the pixels.
-    constexpr double kLeastRadius = 0.71;
     const double radius = std::max(radius_ * view_.scale(p.z()), kLeastRadius);
     splat.x = static_cast<float>(p.x());
     splat.y = static_cast<float>(p.y());
     splat.depth = static_cast<float>(depth);
     splat.radius = std::min(static_cast<float>(radius), kMaxSplatRadius);
     splat.slope_x = splat.slope_y = 0;
-    // A disc of a pixel or two has no shape.
-    if (has_normal && radius > 1.5) set_slopes(normal, ray, R_view_world_, splat);
+    if (has_normal) set_slopes(normal, ray, R_view_world_, splat);
     splat.color = lit(point.color, has_normal ? -normal.dot(ray) : 1);
     return true;
   }
@@ -106,8 +106,8 @@ double estimate_point_size(const Scene& scene, const Extent& extent) {
     cells = count_cells(places, cell);
   }
   const double area = static_cast<double>(cells) * cell * cell;
-  // Discs as wide as the diagonal of a square grid's cell leave no holes in it.
-  constexpr double kDiagonal = 1.42;
+  // Discs as wide as the diagonal of a square grid's cell, and a little more, leave no holes in it.
+  constexpr double kDiagonal = 1.6;
   return kDiagonal * std::sqrt(area / static_cast<double>(scene.points.size()));
 }
 
