@@ -37,7 +37,7 @@ demo: program $(if $(DATASET),,$(ROOM)/groundtruth.txt) ## Run on a synthetic ro
 	$(PROGRAM) run "$(or $(DATASET),$(ROOM))" --mode odometry --out "$(OUT)"
 	@echo
 	@echo "Pictures:"
-	@find "$$(realpath "$(OUT)")" -name '*.png' | sort | sed 's/^/  /'
+	@find "$$(realpath "$(OUT)")" \( -name '*.png' -o -name '*.svg' -o -name map.ply \) | sort | sed 's/^/  /'
 
 # Made aside and moved when complete, so that an interrupted run leaves no half a sequence.
 $(ROOM)/groundtruth.txt: $(wildcard io/synthetic/*.h io/synthetic/*.cc) | program
@@ -60,6 +60,10 @@ eval: build-release ## Run the full sequences, write docs/benchmarks.md
 .PHONY: robustness
 robustness: build-release ## Run synthetic worlds and thinned sequences, write docs/robustness.md
 	bench/run_robustness.sh
+
+.PHONY: pictures
+pictures: program $(ROOM)/groundtruth.txt ## Draw the pictures of docs/rendering.md
+	bench/draw_pictures.sh $(PROGRAM) $(ROOM)
 
 .PHONY: bench
 bench: build-bench ## Micro-benchmarks

@@ -29,6 +29,7 @@ void add_info_command(CLI::App& app, Action& action);
 void add_synth_command(CLI::App& app, Action& action);
 void add_optimize_command(CLI::App& app, Action& action);
 void add_vocab_command(CLI::App& app, Action& action);
+void add_render_command(CLI::App& app, Action& action);
 void add_bench_command(CLI::App& app, Action& action);
 
 /// All of them, in the order of the help page.

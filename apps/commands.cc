@@ -11,6 +11,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_synth_command(app, action);
   add_optimize_command(app, action);
   add_vocab_command(app, action);
+  add_render_command(app, action);
   add_bench_command(app, action);
 }
 

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/io/file_output.h"
-#include "cvo_slam/io/g2o.h"
-#include "cvo_slam/io/tum_trajectory.h"
 
 namespace cvo_slam {
 namespace {
@@ -87,13 +85,7 @@ std::string loops_csv(const std::vector<LoopCandidate>& candidates) {
   return csv;
 }
 
-void write_graph(const std::filesystem::path& folder, const GraphResult& result) {
-  Trajectory keyframes;
-  for (const Keyframe& keyframe : result.keyframes) {
-    keyframes.poses.push_back({keyframe.stamp, keyframe.T_world_camera});
-  }
-  write_tum(folder / "keyframes.txt", keyframes);
-  write_g2o(folder / "graph.g2o", result.graph);
+void write_loops(const std::filesystem::path& folder, const GraphResult& result) {
   write_file(folder / "loops.csv", loops_csv(result.candidates));
 }
 

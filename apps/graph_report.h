@@ -24,7 +24,7 @@ namespace cvo_slam {
 /// One line a candidate.
 [[nodiscard]] std::string loops_csv(const std::vector<LoopCandidate>& candidates);
 
-/// Writes keyframes.txt, graph.g2o and loops.csv. Throws OutputError.
-void write_graph(const std::filesystem::path& folder, const GraphResult& result);
+/// Writes loops.csv. Throws OutputError.
+void write_loops(const std::filesystem::path& folder, const GraphResult& result);
 
 }  // namespace cvo_slam

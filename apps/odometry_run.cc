@@ -23,10 +23,6 @@ double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-double process_cpu_seconds() {
-  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
-}
-
 double peak_memory_mb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -34,6 +30,10 @@ double peak_memory_mb() {
 }
 
 }  // namespace
+
+double process_cpu_seconds() {
+  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
 
 std::size_t OdometryRun::keyframes() const {
   return static_cast<std::size_t>(
@@ -47,8 +47,8 @@ double OdometryRun::fps() const {
 
 OdometryRun run_frames(const Dataset& data, const FrameRange& range,
                        const std::function<FrameRecord(const RgbdFrame&)>& track,
-                       const std::function<void()>& finish, bool quiet) {
-  Progress progress(range.size(), quiet);
+                       const std::function<void()>& finish, const RunControl& control) {
+  Progress progress(range.size(), control.quiet);
   OdometryRun run;
   const auto start = Clock::now();
   const double cpu_start = process_cpu_seconds();
@@ -61,6 +61,9 @@ OdometryRun run_frames(const Dataset& data, const FrameRange& range,
         {std::chrono::duration<double, std::milli>(track_start - wait_start).count(), 0});
     run.records.push_back(track(frame));
     run.costs.back().track_ms = milliseconds_since(track_start);
+    if (control.kept_pixel_step > 0 && !run.records.back().keyframe_reason.empty()) {
+      run.kept_keyframes.push_back(sample_frame(frame, control.kept_pixel_step));
+    }
     progress.update(run.records.size(),
                     run.records.back().status == TrackingStatus::kTracked ? "tracked" : "lost");
   }
@@ -73,10 +76,10 @@ OdometryRun run_frames(const Dataset& data, const FrameRange& range,
 }
 
 OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
-                         const TrackerOptions& options, bool quiet) {
+                         const TrackerOptions& options, const RunControl& control) {
   Tracker tracker(data.camera(), options);
   return run_frames(
-      data, range, [&](const RgbdFrame& frame) { return tracker.track(frame); }, [] {}, quiet);
+      data, range, [&](const RgbdFrame& frame) { return tracker.track(frame); }, [] {}, control);
 }
 
 std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajectory& trajectory,

@@ -32,6 +32,7 @@ struct RunArguments {
   bool quiet = false;
   bool json = false;
   bool dump_config = false;
+  bool no_map = false;
 };
 
 /// Makes a folder that was not there: `name` in `parent`, or `name`_2, `name`_3, ...
@@ -73,7 +74,7 @@ void print_result(const RunArguments& arguments, const RunReport& report,
 }
 
 /// Writes the files and prints the figures, these even where a file cannot be written.
-void deliver(const RunArguments& arguments, const RunReport& report,
+void deliver(const RunArguments& arguments, RunReport& report,
              const std::filesystem::path& folder) {
   std::exception_ptr failure;
   try {
@@ -97,17 +98,20 @@ int run(const RunArguments& arguments) {
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
   prepare_folder(folder);
 
-  RunReport report{*data,        range, options,      arguments.mode, {},
-                   std::nullopt, {},    std::nullopt, data->notes()};
+  RunReport report{*data,        range, options, arguments.mode, {},
+                   std::nullopt, {},    {},      std::nullopt,   data->notes()};
+  const RunControl control{arguments.quiet, arguments.no_map ? 0 : options.map.pixel_step};
   if (arguments.mode == "graph") {
-    SlamRun slam = run_slam(*data, range, options, arguments.quiet);
+    SlamRun slam = run_slam(*data, range, options, control);
     report.run = std::move(slam.run);
     report.trajectory = std::move(slam.trajectory);
     report.graph = std::move(slam.graph);
   } else {
-    report.run = run_odometry(*data, range, options.tracker, arguments.quiet);
+    report.run = run_odometry(*data, range, options.tracker, control);
     report.trajectory = to_trajectory(report.run.records);
   }
+  report.map = make_run_map(report.run, report.graph, report.trajectory, data->camera(),
+                            options.map, options.tracker.threads);
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
   deliver(arguments, report, folder);
   if (report.run.interrupted) return kInterrupted;
@@ -135,6 +139,8 @@ void add_run_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag("--dump-config", arguments->dump_config,
                     "Print the effective options as YAML with their documentation, and end");
+  command->add_flag("--no-map", arguments->no_map,
+                    "Neither map.ply nor map.png: saves their memory and time");
   command->add_flag("--quiet", arguments->quiet, "No progress, no table");
   command->add_flag("--json", arguments->json, "Print the report as JSON in place of the table");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });

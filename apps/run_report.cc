@@ -115,6 +115,7 @@ nlohmann::ordered_json to_json(const RunReport& report) {
         {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
         {"peak_memory_mb", run.peak_memory_mb}}}};
   if (report.graph) json["graph"] = to_json(*report.graph);
+  json["map"] = to_json(report.map);
   json["evaluation"] = report.evaluation ? to_json(*report.evaluation) : nullptr;
   json["notes"] = report.notes;
   json["options"] = options_json(report.options);
@@ -134,6 +135,10 @@ std::string to_table(const RunReport& report) {
                        report.trajectory.lost.size(), run.records.size());
   table += fmt::format("{:<12} {}\n", "keyframes", run.keyframes());
   if (report.graph) table += to_table(*report.graph);
+  if (report.map.has_points) {
+    table += fmt::format("{:<12} {} points, made and drawn in {:.1f} s of CPU\n", "map",
+                         report.map.map.points.size(), report.map.cpu_seconds);
+  }
   table += fmt::format("{:<12} {:.0f} MB\n", "peak memory", run.peak_memory_mb);
   std::vector<std::string> notes = report.notes;
   if (report.evaluation) {
@@ -162,10 +167,12 @@ std::string frames_csv(const OdometryRun& run) {
 void remove_run(const std::filesystem::path& folder) {
   constexpr std::array kFiles = {"trajectory.txt", "trajectory_online.txt",
                                  "keyframes.txt",  "graph.g2o",
-                                 "loops.csv",      "frames.csv",
-                                 "config.yaml",    "report.json",
-                                 "trajectory.png", "trajectory.svg",
-                                 "errors.png",     "errors.svg"};
+                                 "edges.txt",      "map.ply",
+                                 "map.png",        "loops.csv",
+                                 "frames.csv",     "config.yaml",
+                                 "report.json",    "trajectory.png",
+                                 "trajectory.svg", "errors.png",
+                                 "errors.svg"};
   for (const char* name : kFiles) {
     const auto file = folder / name;
     std::error_code error;
@@ -180,11 +187,12 @@ void remove_run(const std::filesystem::path& folder) {
   }
 }
 
-void write_run(const std::filesystem::path& folder, const RunReport& report) {
+void write_run(const std::filesystem::path& folder, RunReport& report) {
   write_tum(folder / "trajectory.txt", report.trajectory);
   write_tum(folder / "trajectory_online.txt", online_trajectory(report.run.records));
   write_file(folder / "frames.csv", frames_csv(report.run));
-  if (report.graph) write_graph(folder, *report.graph);
+  if (report.graph) write_loops(folder, *report.graph);
+  write_run_map(folder, report.map, report.trajectory, report.data.reference(), report.notes);
   ProgramOptions options = report.options;
   write_file(folder / "config.yaml", options_to_yaml(describe(options), true));
   write_file(folder / "report.json", to_json(report).dump(2) + "\n");

@@ -11,6 +11,7 @@
 
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/odometry_run.h"
+#include "cvo_slam/apps/run_map.h"
 #include "cvo_slam/apps/slam_run.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 
@@ -24,6 +25,7 @@ struct RunReport {
   std::string mode;
   OdometryRun run;
   std::optional<GraphResult> graph;  ///< of the modes that have one
+  RunMap map;
   Trajectory trajectory;
   std::optional<EvaluationReport> evaluation;
   std::vector<std::string> notes;
@@ -46,7 +48,8 @@ struct RunReport {
 void remove_run(const std::filesystem::path& folder);
 
 /// Writes every file of a run into `folder`, which exists: trajectory.txt, trajectory_online.txt,
-/// frames.csv, config.yaml, report.json, the plots, and those of the graph. Throws OutputError.
-void write_run(const std::filesystem::path& folder, const RunReport& report);
+/// frames.csv, config.yaml, report.json, the plots, those of the map and of the graph. Says in the
+/// report's notes what is not in a picture. Throws OutputError.
+void write_run(const std::filesystem::path& folder, RunReport& report);
 
 }  // namespace cvo_slam

@@ -5,12 +5,12 @@
 namespace cvo_slam {
 
 SlamRun run_slam(const Dataset& data, const FrameRange& range, const ProgramOptions& options,
-                 bool quiet) {
+                 const RunControl& control) {
   Slam slam(data.camera(), options.tracker, options.slam);
   SlamRun result;
   result.run = run_frames(
       data, range, [&](const RgbdFrame& frame) { return slam.track(frame); },
-      [&] { slam.finish(); }, quiet);
+      [&] { slam.finish(); }, control);
   result.trajectory = slam.trajectory(TrajectoryView::kFinal);
   result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(),
                   slam.graph_statistics()};

@@ -29,6 +29,6 @@ struct SlamRun {
 
 /// Runs the frames of a range through Slam; see run_frames.
 [[nodiscard]] SlamRun run_slam(const Dataset& data, const FrameRange& range,
-                               const ProgramOptions& options, bool quiet);
+                               const ProgramOptions& options, const RunControl& control);
 
 }  // namespace cvo_slam

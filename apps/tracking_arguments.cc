@@ -41,7 +41,10 @@ void pin_simd_path(const std::string& word) {
 }  // namespace
 
 OptionSet describe(ProgramOptions& o) {
-  return OptionSet().add("tracker", describe(o.tracker)).add("slam", describe(o.slam));
+  return OptionSet()
+      .add("tracker", describe(o.tracker))
+      .add("slam", describe(o.slam))
+      .add("map", describe(o.map));
 }
 
 void TrackingArguments::add_to(CLI::App& command) {

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cvo_slam/core/options.h"
+#include "cvo_slam/core/point_fusion.h"
 #include "cvo_slam/frontend/tracker_options.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam_options.h"
@@ -22,6 +23,7 @@ namespace cvo_slam {
 struct ProgramOptions {
   TrackerOptions tracker;
   SlamOptions slam;
+  FusionOptions map;
 };
 
 [[nodiscard]] OptionSet describe(ProgramOptions& options);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -10,6 +9,7 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/plot/draw_figure_internal.h"
+#include "cvo_slam/io/plot/image_text.h"
 #include "cvo_slam/io/plot/plot_file.h"
 
 namespace cvo_slam {
@@ -35,17 +35,6 @@ int thickness_of(double width) {
   return std::max(1, static_cast<int>(std::lround(width * kOversampling)));
 }
 
-/// OpenCV's fonts know ASCII; of any other character (UTF-8) the first byte becomes '?'.
-std::string to_ascii(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xc0U) == 0x80U) continue;
-    result += byte >= 0x20 && byte < 0x7f ? c : '?';
-  }
-  return result;
-}
-
 /// A text as a small picture, dark on white, and where its base line is.
 struct TextImage {
   cv::Mat pixels;
@@ -53,19 +42,14 @@ struct TextImage {
 };
 
 TextImage render_text(const std::string& text, const TextStyle& style) {
-  constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-  // Capitals are 21 units high in the font, and 0.72 em in most typefaces.
-  const double scale = 0.72 * style.size * kOversampling / 21;
-  const int thickness = thickness_of(style.size * 0.09);
-  int below = 0;
-  const cv::Size size = cv::getTextSize(text, kFont, scale, thickness, &below);
-  const int margin = thickness;
+  const double size = style.size * kOversampling;
+  const ImageTextExtent extent = image_text_extent(text, size);
+  const int margin = extent.thickness;
   TextImage image;
-  image.baseline = size.height + margin;
-  image.pixels.create(size.height + below + 2 * margin, size.width + 2 * margin, CV_8UC3);
+  image.baseline = extent.above + margin;
+  image.pixels.create(extent.above + extent.below + 2 * margin, extent.width + 2 * margin, CV_8UC3);
   image.pixels.setTo(cv::Scalar::all(255));
-  cv::putText(image.pixels, text, {margin, image.baseline}, kFont, scale, bgr(style.color),
-              thickness, cv::LINE_AA);
+  draw_image_text(image.pixels, {margin, image.baseline}, text, size, style.color);
   return image;
 }
 
@@ -101,7 +85,7 @@ class PngCanvas : public Canvas {
 
   void text(CanvasPoint position, const std::string& text, const TextStyle& style) override {
     if (text.empty()) return;
-    const TextImage rendered = render_text(to_ascii(text), style);
+    const TextImage rendered = render_text(text, style);
     const int before =
         static_cast<int>(std::lround(share_before(style.anchor) * rendered.pixels.cols));
     cv::Point origin(static_cast<int>(std::lround(position.x * kOversampling)),

@@ -8,12 +8,11 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "cvo_slam/core/statistics.h"
+#include "cvo_slam/core/stamp_gaps.h"
 
 namespace cvo_slam {
 namespace {
@@ -53,18 +52,11 @@ void append(Series& series, double x, double y) {
   series.y.push_back(y);
 }
 
-/// The longest time between neighbours that a line joins [s]: longer means that some are missing,
-/// and a line would show a path that nobody measured.
 template <typename Stamped>
 double longest_drawn_step(const std::vector<Stamped>& items) {
-  constexpr double kUsualSteps = 5;
-  constexpr double kAlwaysDrawn = 0.5;
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < items.size(); ++i) {
-    steps.push_back(seconds_between(items[i - 1].stamp, items[i].stamp));
-  }
-  const double usual = summarize(std::span<const double>(steps)).median;
-  return std::fmax(kUsualSteps * usual, kAlwaysDrawn);
+  std::vector<Timestamp> stamps;
+  for (const Stamped& item : items) stamps.push_back(item.stamp);
+  return longest_usual_step(stamps);
 }
 
 template <typename Stamped>

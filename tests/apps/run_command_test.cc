@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/synthetic/sequence.h"
 #include "cvo_slam/io/tum_trajectory.h"
 #include "cvo_slam/tests/apps/run_program.h"
@@ -50,9 +51,9 @@ class RunCommand : public testing::Test {
   }
 
   void expect_every_file() const {
-    for (const char* name :
-         {"trajectory.txt", "trajectory_online.txt", "frames.csv", "config.yaml", "report.json",
-          "trajectory.png", "trajectory.svg", "errors.png", "errors.svg"}) {
+    for (const char* name : {"trajectory.txt", "trajectory_online.txt", "frames.csv", "config.yaml",
+                             "report.json", "trajectory.png", "trajectory.svg", "errors.png",
+                             "errors.svg", "keyframes.txt", "map.ply", "map.png"}) {
       ASSERT_TRUE(has_file(name)) << name;
       EXPECT_GT(file(name).size(), 100U) << name;
     }
@@ -95,6 +96,24 @@ TEST_F(RunCommand, WritesEveryFileAndEndsWithATable) {
   EXPECT_THAT(csv, AllOf(HasSubstr(",points,registration,"), HasSubstr(",converged,")));
 }
 
+TEST_F(RunCommand, TheMapIsOfTheKeyframesAndCanBeLeftOut) {
+  ASSERT_EQ(run({"--quiet"}).exit_code, 0);
+  const auto report = nlohmann::json::parse(file("report.json"));
+  EXPECT_EQ(report["map"]["keyframes"], report["frames"]["keyframes"]);
+  const Map map = read_map(folder_.path() / "out");
+  EXPECT_EQ(map.points.size(), report["map"]["points"]);
+  // A single view of 160x120 pixels has a ninth as many samples, two or more a point.
+  EXPECT_GT(map.points.size(), 200U);
+  // The room is 5 m long (docs/worlds.md), and the map is in the first camera's frame.
+  for (const MapPoint& point : map.points) EXPECT_LT(point.position.norm(), 6);
+  EXPECT_EQ(cv::imread(folder_.path() / "out" / "map.png").size(), cv::Size(1280, 720));
+
+  ASSERT_EQ(run({"--quiet", "--no-map"}).exit_code, 0);
+  EXPECT_FALSE(has_file("map.ply"));
+  EXPECT_FALSE(has_file("map.png"));
+  EXPECT_TRUE(has_file("keyframes.txt"));
+}
+
 TEST_F(RunCommand, ReportHoldsTheFiguresOfAnExactTracker) {
   ASSERT_EQ(run({"--quiet"}).exit_code, 0);
   const auto report = nlohmann::json::parse(file("report.json"));
@@ -112,7 +131,8 @@ TEST_F(RunCommand, ReportHoldsTheFiguresOfAnExactTracker) {
 TEST_F(RunCommand, SameBytesAgainAndWithTwoThreads) {
   for (const char* out : {"first", "again"}) ASSERT_EQ(run({"--quiet"}, out).exit_code, 0);
   ASSERT_EQ(run({"--quiet", "--threads", "2"}, "threads").exit_code, 0);
-  for (const char* name : {"trajectory.txt", "trajectory_online.txt", "trajectory.svg"}) {
+  for (const char* name :
+       {"trajectory.txt", "trajectory_online.txt", "trajectory.svg", "map.ply"}) {
     EXPECT_EQ(file(name, "again"), file(name, "first")) << name;
     EXPECT_EQ(file(name, "threads"), file(name, "first")) << name;
   }

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/scene_files.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "cvo_slam/core/absolute_trajectory_error.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/g2o.h"
+#include "cvo_slam/io/map_files.h"
+#include "cvo_slam/io/ply.h"
+#include "cvo_slam/io/tum_trajectory.h"
+
+namespace cvo_slam {
+namespace {
+
+constexpr std::array kPathColors = {kBlue, kVermilion, kGreen, kPurple, kOrange, kSkyBlue};
+constexpr Color kReferenceColor{96, 96, 96};
+
+void append(render::Scene& scene, const Map& map) {
+  render::Scene added = render::make_scene(map);
+  std::move(added.points.begin(), added.points.end(), std::back_inserter(scene.points));
+  std::move(added.keyframes.begin(), added.keyframes.end(), std::back_inserter(scene.keyframes));
+  std::move(added.constraints.begin(), added.constraints.end(),
+            std::back_inserter(scene.constraints));
+}
+
+void add_path(render::Scene& scene, std::string label, std::vector<StampedPose> poses) {
+  const Color color = kPathColors[scene.paths.size() % kPathColors.size()];
+  scene.paths.push_back({std::move(label), std::move(poses), color});
+}
+
+}  // namespace
+
+void add_to_scene(render::Scene& scene, const std::filesystem::path& input) {
+  std::vector<std::string> notes;
+  const auto extension = input.extension();
+  if (std::filesystem::is_directory(input)) {
+    append(scene, read_map(input));
+    const auto trajectory = input / "trajectory.txt";
+    if (std::filesystem::exists(trajectory)) {
+      add_path(scene, "trajectory", read_tum_in_any_order(trajectory, notes));
+    }
+  } else if (extension == ".ply") {
+    append(scene, {{}, {}, read_ply(input)});
+  } else if (extension == ".g2o") {
+    append(scene, {{}, read_g2o(input), {}});
+  } else {
+    add_path(scene, input.stem().string(), read_tum_in_any_order(input, notes));
+  }
+}
+
+void add_reference(render::Scene& scene, const std::vector<StampedPose>& reference,
+                   PathColor color) {
+  if (scene.paths.empty()) throw DataError("no trajectory that the reference could be fitted to");
+  render::Path& path = scene.paths.front();
+  const auto error = absolute_trajectory_error(associate(reference, path.poses));
+  const SE3 T_scene_reference = error.alignment.T_reference_estimate.inverse();
+  scene.up = T_scene_reference.rotation().col(2);
+  if (color == PathColor::kError) {
+    constexpr double kMillimetres = 1000;
+    std::map<Timestamp, double> values;
+    for (const PoseError& pose : error.errors) values[pose.stamp] = kMillimetres * pose.translation;
+    path.values.clear();
+    for (const StampedPose& pose : path.poses) {
+      const auto value = values.find(pose.stamp);
+      path.values.push_back(value == values.end() ? std::numeric_limits<double>::quiet_NaN()
+                                                  : value->second);
+    }
+    scene.value_label = "error [mm]";
+  }
+  render::Path truth{"ground truth", {}, kReferenceColor};
+  for (const StampedPose& pose : reference) {
+    if (pose.stamp < path.poses.front().stamp || path.poses.back().stamp < pose.stamp) continue;
+    truth.poses.push_back({pose.stamp, T_scene_reference * pose.T_world_camera});
+  }
+  scene.paths.push_back(std::move(truth));
+}
+
+}  // namespace cvo_slam

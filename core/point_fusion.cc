@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/core/point_fusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <Eigen/Geometry>
+
+#include "cvo_slam/core/voxel_grid_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+/// A pixel's surface in the camera's frame.
+struct Sample {
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;
+  std::array<std::uint8_t, 3> color;  // red, green, blue
+};
+
+/// The directions (x/z, y/z, 1) of the pixels of sampled frames, which are mostly of one size.
+class Rays {
+ public:
+  Rays(const SampledFrame& frame, const PinholeCamera& camera)
+      : size_(frame.depth.size()), pixel_step_(frame.pixel_step) {
+    rays_.reserve(frame.depth.total());
+    for (int v = 0; v < size_.height; ++v) {
+      for (int u = 0; u < size_.width; ++u) {
+        const Eigen::Vector2d pixel(u * pixel_step_ + pixel_step_ / 2,
+                                    v * pixel_step_ + pixel_step_ / 2);
+        rays_.emplace_back(camera.unproject(pixel).cast<float>());
+      }
+    }
+  }
+
+  [[nodiscard]] bool are_of(const SampledFrame& frame) const {
+    return frame.depth.size() == size_ && frame.pixel_step == pixel_step_;
+  }
+  [[nodiscard]] const Eigen::Vector3f& operator()(int u, int v) const {
+    return rays_[static_cast<std::size_t>(v * size_.width + u)];
+  }
+
+ private:
+  cv::Size size_;
+  int pixel_step_;
+  std::vector<Eigen::Vector3f> rays_;
+};
+
+/// The points of a sampled depth image, and where it has none.
+class DepthSurface {
+ public:
+  DepthSurface(const SampledFrame& frame, const Rays& ray, const Camera& camera,
+               const FusionOptions& options)
+      : frame_(frame),
+        ray_(ray),
+        options_(options),
+        metres_(static_cast<float>(1 / camera.depth_scale)),
+        max_depth_(static_cast<float>(options.max_depth)) {}
+
+  [[nodiscard]] std::vector<Sample> samples() const {
+    std::vector<Sample> result;
+    for (int v = 0; v < frame_.depth.rows; ++v) {
+      for (int u = 0; u < frame_.depth.cols; ++u) {
+        Sample sample;
+        if (!make_sample(u, v, sample)) continue;
+        result.push_back(sample);
+      }
+    }
+    return result;
+  }
+
+ private:
+  /// [m]; 0 where there is none.
+  [[nodiscard]] float depth(int u, int v) const {
+    const bool inside = u >= 0 && v >= 0 && u < frame_.depth.cols && v < frame_.depth.rows;
+    return inside ? metres_ * static_cast<float>(frame_.depth.at<std::uint16_t>(v, u)) : 0;
+  }
+
+  /// The surface's direction from the pixel on one side to that on the other; where one of them is
+  /// missing or beyond a jump, from or to the pixel itself. False where both are.
+  bool tangent(int u, int v, float z, int du, int dv, Eigen::Vector3f& direction) const {
+    const float before = depth(u - du, v - dv);
+    const float after = depth(u + du, v + dv);
+    const float limit = static_cast<float>(options_.max_jump) * z;
+    const bool has_before = before > 0 && std::fabs(before - z) < limit;
+    const bool has_after = after > 0 && std::fabs(after - z) < limit;
+    if (!has_before && !has_after) return false;
+    const Eigen::Vector3f from = has_before ? before * ray_(u - du, v - dv) : z * ray_(u, v);
+    const Eigen::Vector3f to = has_after ? after * ray_(u + du, v + dv) : z * ray_(u, v);
+    direction = to - from;
+    return true;
+  }
+
+  bool make_sample(int u, int v, Sample& sample) const {
+    const float z = depth(u, v);
+    if (!(z > 0 && z <= max_depth_)) return false;
+    Eigen::Vector3f along_u;
+    Eigen::Vector3f along_v;
+    if (!tangent(u, v, z, 1, 0, along_u) || !tangent(u, v, z, 0, 1, along_v)) return false;
+    sample.position = z * ray_(u, v);
+    sample.normal = along_u.cross(along_v).normalized();
+    if (sample.normal.dot(sample.position) > 0) sample.normal = -sample.normal;
+    const float cosine = -sample.normal.dot(sample.position) / sample.position.norm();
+    if (!(cosine >= static_cast<float>(options_.min_cosine))) return false;
+    sample.color = color(u, v);
+    return true;
+  }
+
+  [[nodiscard]] std::array<std::uint8_t, 3> color(int u, int v) const {
+    if (frame_.color.channels() == 1) {
+      const auto grey = frame_.color.at<std::uint8_t>(v, u);
+      return {grey, grey, grey};
+    }
+    const auto& bgr = frame_.color.at<cv::Vec3b>(v, u);
+    return {bgr[2], bgr[1], bgr[0]};
+  }
+
+  const SampledFrame& frame_;
+  const Rays& ray_;
+  const FusionOptions& options_;
+  float metres_;
+  float max_depth_;
+};
+
+bool is_usable(const PosedFrame& posed) {
+  const SampledFrame& frame = posed.frame;
+  return !frame.depth.empty() && frame.depth.type() == CV_16UC1 &&
+         frame.color.size() == frame.depth.size() && frame.color.depth() == CV_8U &&
+         (frame.color.channels() == 1 || frame.color.channels() == 3) &&
+         posed.T_world_camera.matrix().allFinite();
+}
+
+std::vector<Sample> samples_in_camera(const PosedFrame& posed, const Rays& usual_rays,
+                                      const Camera& camera, const FusionOptions& options) {
+  if (!is_usable(posed)) return {};
+  const SampledFrame& frame = posed.frame;
+  if (usual_rays.are_of(frame)) return DepthSurface(frame, usual_rays, camera, options).samples();
+  return DepthSurface(frame, Rays(frame, camera.color), camera, options).samples();
+}
+
+void add_to(VoxelGrid& grid, const std::vector<Sample>& samples, const SE3& T_world_camera) {
+  const Eigen::Matrix3f R = T_world_camera.rotation().cast<float>();
+  for (const Sample& sample : samples) {
+    const float z = sample.position.z();
+    const float weight = 1 / (z * z * z * z);
+    grid.add(T_world_camera * sample.position.cast<double>(), R * sample.normal, sample.color,
+             weight);
+  }
+}
+
+}  // namespace
+
+OptionSet describe(FusionOptions& o) {
+  return OptionSet()
+      .add("pixel_step", o.pixel_step, {1, 64}, "px",
+           "Every which pixel, along and across, of a keyframe becomes a point. 3: 1.1 cm apart at "
+           "2 m with a Kinect, so that one view puts two or three into a voxel")
+      .add("voxel_size", o.voxel_size, {1e-3, 10}, "m",
+           "Edge of the cubes of which each leaves one point. 2 cm: a Kinect's noise at 3 m")
+      .add("min_samples", o.min_samples, {1, 1000}, "",
+           "Voxels that fewer pixels saw leave no point: most are noise. 2: more would thin out "
+           "what "
+           "a single keyframe saw 2 m away")
+      .add("max_depth", o.max_depth, {0.1, 1000}, "m",
+           "Pixels further away are left out. A Kinect's depth is 3 cm coarse at 4 m")
+      .add("max_jump", o.max_jump, {1e-3, 1}, "",
+           "Neighbouring pixels whose depths differ by more than this share of the depth see "
+           "different surfaces. 0.05: a wall seen at 70 degrees, four pixels apart")
+      .add("min_cosine", o.min_cosine, {0, 1}, "",
+           "Of the angle between the ray and the normal; below it, above 81 degrees, a surface is "
+           "more often the slope that a depth camera draws between two others");
+}
+
+SampledFrame sample_frame(const RgbdFrame& frame, int pixel_step) {
+  SampledFrame result{frame.stamp, pixel_step, {}, {}};
+  if (frame.depth.empty() || frame.color.size() != frame.depth.size()) return result;
+  const int rows = (frame.depth.rows + pixel_step - 1 - pixel_step / 2) / pixel_step;
+  const int columns = (frame.depth.cols + pixel_step - 1 - pixel_step / 2) / pixel_step;
+  result.color.create(rows, columns, frame.color.type());
+  result.depth.create(rows, columns, frame.depth.type());
+  const auto copy_pixels = [&](const cv::Mat& from, cv::Mat& to, int v) {
+    const std::size_t bytes = from.elemSize();
+    const std::uint8_t* source = from.ptr(pixel_step * v + pixel_step / 2);
+    for (int u = 0; u < columns; ++u) {
+      const auto column = static_cast<std::size_t>(pixel_step * u + pixel_step / 2);
+      std::copy_n(source + bytes * column, bytes, to.ptr(v, u));
+    }
+  };
+  for (int v = 0; v < rows; ++v) {
+    copy_pixels(frame.color, result.color, v);
+    copy_pixels(frame.depth, result.depth, v);
+  }
+  return result;
+}
+
+std::vector<MapPoint> fuse_points(std::span<const PosedFrame> frames, const Camera& camera,
+                                  const FusionOptions& options, const Executor& executor) {
+  camera.check();
+  FusionOptions checked = options;
+  describe(checked).check();
+  // A batch is computed in parallel and added in order; a fixed size bounds the memory.
+  constexpr std::size_t kBatch = 16;
+  VoxelGrid grid(options.voxel_size);
+  const Rays rays(frames.empty() ? SampledFrame() : frames.front().frame, camera.color);
+  std::array<std::vector<Sample>, kBatch> samples;
+  for (std::size_t begin = 0; begin < frames.size(); begin += kBatch) {
+    const auto batch = frames.subspan(begin, std::min(kBatch, frames.size() - begin));
+    executor.for_each_chunk(batch.size(), 1, [&](std::size_t, std::size_t i, std::size_t) {
+      samples[i] = samples_in_camera(batch[i], rays, camera, options);
+    });
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      add_to(grid, samples[i], batch[i].T_world_camera);
+    }
+  }
+  return grid.points(options.min_samples);
+}
+
+}  // namespace cvo_slam

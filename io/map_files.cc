@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/io/map_files.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/io/g2o.h"
+#include "cvo_slam/io/ply.h"
+#include "cvo_slam/io/text_internal.h"
+#include "cvo_slam/io/tum_trajectory.h"
+
+namespace cvo_slam {
+namespace {
+
+constexpr std::string_view kKeyframes = "keyframes.txt";
+constexpr std::string_view kGraph = "graph.g2o";
+constexpr std::string_view kEdges = "edges.txt";
+constexpr std::string_view kPoints = "map.ply";
+
+constexpr std::array<std::pair<std::string_view, EdgeKind>, 3> kKinds = {
+    {{"odometry", EdgeKind::kOdometry},
+     {"proximity", EdgeKind::kProximity},
+     {"loop", EdgeKind::kLoop}}};
+
+std::string_view name_of(EdgeKind kind) {
+  return std::find_if(kKinds.begin(), kKinds.end(),
+                      [&](const auto& entry) { return entry.second == kind; })
+      ->first;
+}
+
+std::string edges_text(const PoseGraph& graph) {
+  std::string text = "# from to kind, in the order of graph.g2o\n";
+  for (const PoseGraphEdge& edge : graph.edges()) {
+    text += fmt::format("{} {} {}\n", edge.from, edge.to, name_of(edge.kind));
+  }
+  return text;
+}
+
+EdgeKind parse_kind(const std::filesystem::path& file, const TextLine& line,
+                    const PoseGraphEdge& edge) {
+  const auto& words = line.words;
+  if (words.size() != 3 || words[0] != std::to_string(edge.from) ||
+      words[1] != std::to_string(edge.to)) {
+    throw InputError(file, line.number,
+                     fmt::format("expected '{} {} <kind>' as in {}; both must be of one map",
+                                 edge.from, edge.to, kGraph));
+  }
+  const auto* kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                  [&](const auto& entry) { return entry.first == words[2]; });
+  if (kind == kKinds.end()) {
+    throw InputError(file, line.number,
+                     fmt::format("'{}' is no kind of edge: odometry, proximity or loop", words[2]));
+  }
+  return kind->second;
+}
+
+/// The graph with the kinds that the file of edges gives.
+PoseGraph with_kinds(const PoseGraph& graph, const std::filesystem::path& file) {
+  const std::vector<TextLine> lines = read_word_lines(file);
+  if (lines.size() != graph.edges().size()) {
+    throw InputError(file, fmt::format("{} edges, but {} in {}; both must be of one map",
+                                       lines.size(), graph.edges().size(), kGraph));
+  }
+  PoseGraph result;
+  for (const PoseGraphNode& node : graph.nodes()) result.add_node(node);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    PoseGraphEdge edge = graph.edges()[i];
+    edge.kind = parse_kind(file, lines[i], edge);
+    edge.robust = edge.kind != EdgeKind::kOdometry;
+    result.add_edge(edge);
+  }
+  return result;
+}
+
+void check_sizes(const std::filesystem::path& folder, const Map& map) {
+  const std::size_t nodes = map.graph.nodes().size();
+  if (nodes == 0 || nodes == map.keyframes.size()) return;
+  throw InputError(folder, fmt::format("{} keyframes in {}, but {} nodes in {}; both must be of "
+                                       "one map",
+                                       map.keyframes.size(), kKeyframes, nodes, kGraph));
+}
+
+}  // namespace
+
+void write_map(const std::filesystem::path& folder, const Map& map) {
+  const bool has_graph = !map.graph.nodes().empty();
+  if (has_graph && map.graph.nodes().size() != map.keyframes.size()) {
+    throw DataError(
+        fmt::format("a map of {} keyframes whose graph has {} nodes; each keyframe "
+                    "must have one",
+                    map.keyframes.size(), map.graph.nodes().size()));
+  }
+  make_folder(folder);
+  write_tum(folder / kKeyframes, {map.keyframes, {}});
+  if (has_graph) {
+    write_g2o(folder / kGraph, map.graph);
+    write_file(folder / kEdges, edges_text(map.graph));
+  }
+  if (!map.points.empty()) write_ply(folder / kPoints, map.points);
+}
+
+Map read_map(const std::filesystem::path& folder) {
+  const auto has = [&](std::string_view name) { return std::filesystem::exists(folder / name); };
+  if (!std::filesystem::is_directory(folder)) {
+    throw InputError(folder, "is no folder; name one that cvo_slam run has written");
+  }
+  if (!has(kKeyframes) && !has(kGraph) && !has(kPoints)) {
+    throw InputError(folder, fmt::format("holds no map: none of {}, {} and {}; name a folder that "
+                                         "cvo_slam run has written",
+                                         kKeyframes, kGraph, kPoints));
+  }
+  Map map;
+  if (has(kKeyframes)) map.keyframes = read_tum(folder / kKeyframes);
+  if (has(kGraph)) map.graph = read_g2o(folder / kGraph);
+  if (has(kGraph) && has(kEdges)) map.graph = with_kinds(map.graph, folder / kEdges);
+  if (has(kPoints)) map.points = read_ply(folder / kPoints);
+  if (has(kKeyframes)) check_sizes(folder, map);
+  return map;
+}
+
+}  // namespace cvo_slam

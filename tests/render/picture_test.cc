@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What pictures of unusual scenes look like: never a crash, never an empty image without a word.
+#include "cvo_slam/io/render/picture.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/render/motion_jpeg.h"
+#include "cvo_slam/tests/render/test_scenes.h"
+#include "cvo_slam/tests/temporary_folder.h"
+
+namespace cvo_slam::render {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+SE3 pose_at(double x, double y, double z) { return {Matrix3::Identity(), {x, y, z}}; }
+
+Picture draw(const Scene& scene, ViewKind kind = ViewKind::kIso) {
+  const auto renderer = make_renderer(RendererKind::kSplat);
+  return draw_picture(scene, {.kind = kind, .width = 320, .height = 240}, *renderer);
+}
+
+/// Pixels that are neither the background nor close to it.
+std::size_t ink(const cv::Mat& image) {
+  return pixels_where(image, [](const cv::Vec3b& bgr) { return bgr[0] < 150; }).size();
+}
+
+TEST(Picture, AnEmptySceneSaysSo) {
+  for (const auto& [name, kind] : view_names()) {
+    const Picture picture = draw({}, kind);
+    EXPECT_EQ(picture.image.size(), cv::Size(320, 240));
+    EXPECT_GT(ink(picture.image), 100U) << name;  // the words
+    EXPECT_THAT(picture.notes, IsEmpty());
+  }
+}
+
+TEST(Picture, OnePoseIsAPicture) {
+  Scene scene;
+  scene.keyframes = {pose_at(3, 4, 5)};
+  add_path_by_time(scene, "trajectory", {{Timestamp(), pose_at(3, 4, 5)}});
+  for (const auto& [name, kind] : view_names())
+    EXPECT_GT(ink(draw(scene, kind).image), 30U) << name;
+}
+
+TEST(Picture, PosesAndPointsThatAreNotFiniteAreLeftOutWithANote) {
+  const Scene good = floor_scene();
+  Scene scene = good;
+  scene.points.push_back(map_point({kNaN, 0, 0}, {0, 0, 0}));
+  scene.paths[0].poses.push_back({Timestamp::from_seconds(1), pose_at(0, kNaN, 0)});
+  scene.paths[0].values.push_back(kNaN);
+  scene.keyframes.push_back(pose_at(kNaN, 0, 0));
+  scene.constraints.push_back({{0, 0, 0}, {kNaN, 0, 0}, EdgeKind::kLoop});
+  const Picture picture = draw(scene);
+  EXPECT_THAT(picture.notes, ElementsAre(HasSubstr("1 point left out: not finite"),
+                                         HasSubstr("1 pose left out: not finite")));
+  EXPECT_GT(ink(picture.image), ink(draw(good).image) / 2);
+}
+
+TEST(Picture, OnlyPosesThatAreNotFiniteSaySo) {
+  Scene scene;
+  add_path_by_time(scene, "trajectory", {{Timestamp(), pose_at(kNaN, kNaN, kNaN)}});
+  const Picture picture = draw(scene);
+  EXPECT_GT(ink(picture.image), 100U);
+  EXPECT_THAT(picture.notes, ElementsAre(HasSubstr("1 pose left out")));
+}
+
+TEST(Picture, FarFromTheOriginIsDrawnAndBeyondReasonIsLeftOut) {
+  // As in the coordinates of a national grid: thousands of kilometres.
+  Scene scene;
+  for (int i = 0; i < 10; ++i) scene.keyframes.push_back(pose_at(5e6 + i, 4e5, 100));
+  EXPECT_GT(ink(draw(scene).image), 200U);
+  scene.points.push_back(map_point({1e30, 0, 0}, {0, 0, 0}));
+  const Picture picture = draw(scene);
+  EXPECT_GT(ink(picture.image), 200U);
+  EXPECT_THAT(picture.notes, ElementsAre(HasSubstr("1 point left out: not finite, or beyond")));
+}
+
+TEST(Picture, StrayPointsDoNotShrinkTheMap) {
+  Scene scene = floor_scene();
+  const std::size_t before = ink(draw(scene).image);
+  for (int i = 0; i < 20; ++i) scene.points.push_back(map_point({500, 5.0 * i, 3}, {0, 0, 0}));
+  EXPECT_NEAR(static_cast<double>(ink(draw(scene).image)), static_cast<double>(before),
+              0.1 * static_cast<double>(before));
+}
+
+TEST(Picture, UpIsWhereTheFloorSaysNearWhereTheCamerasSay) {
+  Scene scene;
+  const Vector3 up = Vector3(0.1, -1, 0.2).normalized();
+  const Vector3 along = up.cross(Vector3::UnitX()).normalized();
+  add_wall(scene, {0, 1, 0}, along, up.cross(along), 0.5, {1, 2, 3}, up);
+  // Held at 0.3 rad, about x: the floor's normal is 29 degrees from what they take for up.
+  const std::vector<SE3> cameras(3, SE3(so3_exp({0.3, 0, 0}), {0, 0, 0}));
+  EXPECT_LT((estimate_up(cameras, scene.points) - up).norm(), 1e-3);
+  EXPECT_EQ(estimate_up({}, {}), Vector3(-Vector3::UnitY()));
+  EXPECT_LT((estimate_up(cameras, {}) - Vector3(0, -std::cos(0.3), -std::sin(0.3))).norm(), 1e-9);
+}
+
+TEST(Picture, UnwritableFilesAreErrors) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_picture(folder.path() / "no" / "a.png", draw({}).image), OutputError);
+}
+
+TEST(MotionJpeg, IsAnAviFileOfJpegPictures) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "film.avi";
+  MotionJpeg film;
+  for (int i = 0; i < 3; ++i) film.add(cv::Mat(48, 64, CV_8UC3, cv::Scalar(0, 0, 80.0 * i)));
+  film.write(file);
+  const std::string bytes = read_text(file);
+  EXPECT_THAT(bytes, testing::StartsWith("RIFF"));
+  EXPECT_EQ(bytes.substr(8, 8), "AVI LIST");
+  // Of RIFF the length of all that follows, the lowest byte first.
+  std::uint32_t length = 0;
+  for (int i = 3; i >= 0; --i) {
+    length = (length << 8U) | static_cast<unsigned char>(bytes[4 + static_cast<std::size_t>(i)]);
+  }
+  EXPECT_EQ(length + 8, bytes.size());
+  // The second picture decodes to its colour.
+  const std::size_t first = bytes.find("00dc");
+  const std::size_t second = bytes.find("00dc", first + 4);
+  const std::vector<unsigned char> jpeg(bytes.begin() + static_cast<std::ptrdiff_t>(second) + 8,
+                                        bytes.end());
+  const cv::Mat image = cv::imdecode(jpeg, cv::IMREAD_COLOR);
+  ASSERT_EQ(image.size(), cv::Size(64, 48));
+  EXPECT_NEAR(image.at<cv::Vec3b>(10, 10)[2], 80, 3);
+}
+
+TEST(MotionJpeg, BadFilmsAreErrors) {
+  const TemporaryFolder folder;
+  MotionJpeg film;
+  EXPECT_THROW(film.write(folder.path() / "a.avi"), OutputError);  // no picture
+  film.add(cv::Mat(48, 64, CV_8UC3));
+  EXPECT_THROW(film.add(cv::Mat(48, 65, CV_8UC3)), DataError);
+  EXPECT_THROW(film.write(folder.path() / "a.mp4"), OptionError);
+  EXPECT_THROW(film.write(folder.path() / "no" / "a.avi"), OutputError);
+}
+
+}  // namespace
+}  // namespace cvo_slam::render

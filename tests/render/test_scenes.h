@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/render/picture.h"
+
+namespace cvo_slam::render {
+
+inline MapPoint map_point(const Vector3& place, const std::array<std::uint8_t, 3>& rgb,
+                          const Vector3& normal = Vector3::Zero()) {
+  return {place.cast<float>(), normal.cast<float>(), rgb};
+}
+
+/// A square of points at `center`, 2 cm apart, spanned by two unit vectors.
+inline void add_wall(Scene& scene, const Vector3& center, const Vector3& along,
+                     const Vector3& aside, double half_size, const std::array<std::uint8_t, 3>& rgb,
+                     const Vector3& normal = Vector3::Zero()) {
+  constexpr double kSpacing = 0.02;
+  const int n = static_cast<int>(half_size / kSpacing);
+  for (int i = -n; i <= n; ++i) {
+    for (int j = -n; j <= n; ++j) {
+      scene.points.push_back(map_point(center + kSpacing * (i * along + j * aside), rgb, normal));
+    }
+  }
+}
+
+/// A world with z up: a grey floor of 2 m and a path of ten poses 1 m above it.
+inline Scene floor_scene() {
+  Scene scene;
+  scene.up = Vector3::UnitZ();
+  add_wall(scene, {0, 0, 0}, Vector3::UnitX(), Vector3::UnitY(), 1, {120, 120, 120},
+           Vector3::UnitZ());
+  std::vector<StampedPose> poses;
+  // The camera looks along the world's y: its right is x, its down is -z.
+  const Matrix3 ahead{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+  for (int i = 0; i < 10; ++i) {
+    poses.push_back({Timestamp::from_seconds(0.1 * i), SE3(ahead, {0.1 * i - 0.5, 0, 1})});
+    scene.keyframes.push_back(poses.back().T_world_camera);
+  }
+  add_path_by_time(scene, "trajectory", poses);
+  return scene;
+}
+
+/// The pixels of an image that a predicate of blue, green and red holds for.
+template <typename Predicate>
+std::vector<cv::Point> pixels_where(const cv::Mat& image, const Predicate& predicate) {
+  std::vector<cv::Point> pixels;
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      const auto& bgr = image.at<cv::Vec3b>(v, u);
+      if (predicate(bgr)) pixels.emplace_back(u, v);
+    }
+  }
+  return pixels;
+}
+
+inline bool is_red(const cv::Vec3b& bgr) { return bgr[2] > 120 && bgr[0] < 60 && bgr[1] < 60; }
+
+/// Those that this machine can draw with.
+inline std::vector<std::unique_ptr<Renderer>> all_renderers() {
+  std::vector<std::unique_ptr<Renderer>> renderers;
+  renderers.push_back(make_renderer(RendererKind::kSplat));
+  renderers.push_back(make_renderer(RendererKind::kOsmesa));
+  try {
+    renderers.push_back(make_renderer(RendererKind::kEgl));
+  } catch (const Error&) {
+    // Not every machine's EGL can do without a surface; OSMesa is in apt-packages.txt.
+  }
+  return renderers;
+}
+
+}  // namespace cvo_slam::render
