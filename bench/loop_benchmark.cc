@@ -62,14 +62,14 @@ RgbdFrame house_frame(double seconds) {
 }
 
 void load_vocabulary(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(builtin_vocabulary());
+  for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(builtin_vocabulary());
 }
 BENCHMARK(load_vocabulary)->Unit(benchmark::kMillisecond);
 
 void transform_1000_descriptors(benchmark::State& state) {
   const auto vocabulary = builtin_vocabulary();
   const auto descriptors = random_descriptors(kFeatures);
-  for (auto _ : state) benchmark::DoNotOptimize(vocabulary->transform(descriptors, 1));
+  for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(vocabulary->transform(descriptors, 1));
 }
 BENCHMARK(transform_1000_descriptors)->Unit(benchmark::kMillisecond);
 
@@ -80,7 +80,7 @@ void find_1000_words_one_by_one(benchmark::State& state) {
     if (node.is_word) words.push_back(node.descriptor);
   }
   const auto descriptors = random_descriptors(kFeatures);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto iteration : state) {
     for (const auto& descriptor : descriptors) {
       benchmark::DoNotOptimize(nearest_descriptor(descriptor, words));
     }
@@ -94,7 +94,7 @@ void query_10000_keyframes(benchmark::State& state) {
   KeyframeDatabase database(words);
   for (std::size_t i = 0; i < kKeyframes; ++i) database.add(random_bag(words, kFeatures, engine));
   const BagOfWords bag = random_bag(words, kFeatures, engine);
-  for (auto _ : state) benchmark::DoNotOptimize(database.query(bag, kKeyframes));
+  for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(database.query(bag, kKeyframes));
   state.counters["bytes_a_keyframe"] = static_cast<double>(database.bytes()) / kKeyframes;
 }
 BENCHMARK(query_10000_keyframes)->Unit(benchmark::kMillisecond);
@@ -104,7 +104,7 @@ void match_1000_with_1000_one_by_one(benchmark::State& state) {
   const auto a = random_descriptors(kFeatures);
   const auto b = random_descriptors(2 * kFeatures);
   const std::span<const Descriptor> others(b.data() + kFeatures, kFeatures);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto iteration : state) {
     for (const auto& descriptor : a) {
       benchmark::DoNotOptimize(nearest_descriptor(descriptor, others));
     }
@@ -115,7 +115,7 @@ BENCHMARK(match_1000_with_1000_one_by_one)->Unit(benchmark::kMillisecond);
 void extract_features(benchmark::State& state) {
   const RgbdFrame frame = house_frame(1);
   const Camera camera = synthetic::synthetic_camera(640, 480);
-  for (auto _ : state) benchmark::DoNotOptimize(extract_orb(frame, camera));
+  for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(extract_orb(frame, camera));
 }
 BENCHMARK(extract_features)->Unit(benchmark::kMillisecond);
 
@@ -125,7 +125,7 @@ void verify_a_loop(benchmark::State& state) {
   const auto a = detector.extract(house_frame(1));
   const auto b = detector.extract(house_frame(1.1));
   const LoopVerifier verifier(camera.color);
-  for (auto _ : state) benchmark::DoNotOptimize(verifier.verify(*a, *b));
+  for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(verifier.verify(*a, *b));
 }
 BENCHMARK(verify_a_loop)->Unit(benchmark::kMillisecond);
 

@@ -121,7 +121,7 @@ void time_solve(benchmark::State& state, const Solve& solve) {
   const PoseGraph start = make_graph(state);
   int iterations = 0;
   double cost = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto iteration : state) {
     state.PauseTiming();
     PoseGraph graph = start;
     state.ResumeTiming();

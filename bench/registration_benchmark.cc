@@ -60,7 +60,7 @@ struct Clouds {
 void select_points_of_a_frame(benchmark::State& state) {
   const int count = static_cast<int>(state.range(0));
   const RgbdFrame& frame = frames().moving;  // made before the clock runs
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto iteration : state) {
     benchmark::DoNotOptimize(select_points(frame, camera(), count));
   }
 }
@@ -72,7 +72,7 @@ BENCHMARK(select_points_of_a_frame)
 void set_fixed(benchmark::State& state, const TrackerOptions& options) {
   const Clouds clouds(options);
   Registration registration(options.registration);
-  for (auto _ : state) registration.set_fixed(clouds.fixed);
+  for ([[maybe_unused]] auto iteration : state) registration.set_fixed(clouds.fixed);
   state.counters["points"] = static_cast<double>(clouds.fixed.size());
 }
 BENCHMARK_CAPTURE(set_fixed, newton, TrackerOptions())->Unit(benchmark::kMillisecond);
@@ -84,7 +84,7 @@ void align_to_fixed(benchmark::State& state, const TrackerOptions& options) {
   Registration registration(options.registration);
   registration.set_fixed(clouds.fixed);
   RegistrationResult result;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto iteration : state) {
     result = registration.align(clouds.moving, SE3());
     benchmark::DoNotOptimize(result);
   }
