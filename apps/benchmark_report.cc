@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "cvo_slam/core/units.h"
 
 namespace cvo_slam {
 namespace {
 
 using Row = std::vector<std::string>;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMillimetres = 1e3;
 constexpr double kMilliseconds = 1e3;
 

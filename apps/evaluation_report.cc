@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/units.h"
 
 namespace cvo_slam {
 namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 void scale_estimate(std::vector<MatchedPose>& matches, double scale) {
   const Similarity scaling{SE3(), scale};

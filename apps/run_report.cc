@@ -3,7 +3,6 @@
 #include "cvo_slam/apps/run_report.h"
 
 #include <array>
-#include <numbers>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 #include "cvo_slam/apps/graph_report.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/statistics.h"
+#include "cvo_slam/core/units.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/tum_trajectory.h"
@@ -64,7 +64,6 @@ nlohmann::ordered_json options_json(ProgramOptions options) {
 }
 
 std::string error_rows(const EvaluationReport& evaluation) {
-  constexpr double kDegrees = 180 / std::numbers::pi;
   std::string rows;
   if (evaluation.ate) {
     rows += fmt::format("{:<12} {:.4f} m after {} alignment, {} poses\n", "ATE",

@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/core/stamp_gaps.h"
+#include "cvo_slam/core/units.h"
 
 namespace cvo_slam {
 namespace {
@@ -20,7 +20,6 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kWidth = 1500;  // [px]
 constexpr double kMillimetres = 1000;
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// A view along one axis of the world: which coordinates it shows to the right and up.
 struct View {
