@@ -12,6 +12,7 @@
 namespace cvo_slam {
 namespace {
 
+/// How a candidate was found.
 std::string_view name_of(EdgeKind kind) {
   switch (kind) {
     case EdgeKind::kOdometry:
@@ -19,7 +20,7 @@ std::string_view name_of(EdgeKind kind) {
     case EdgeKind::kProximity:
       return "proximity";
     case EdgeKind::kLoop:
-      return "loop";
+      return "bow";
   }
   return "";
 }
@@ -27,6 +28,17 @@ std::string_view name_of(EdgeKind kind) {
 auto edges_of_kind(const PoseGraph& graph, EdgeKind kind) {
   return std::count_if(graph.edges().begin(), graph.edges().end(),
                        [&](const PoseGraphEdge& edge) { return edge.kind == kind; });
+}
+
+auto candidates_of_kind(const std::vector<LoopCandidate>& candidates, EdgeKind kind) {
+  return std::count_if(candidates.begin(), candidates.end(),
+                       [&](const LoopCandidate& candidate) { return candidate.kind == kind; });
+}
+
+/// The columns that a bag of words has; empty where the pair was found otherwise.
+std::string recognition_fields(const LoopCandidate& c) {
+  if (c.kind != EdgeKind::kLoop) return ",,";
+  return fmt::format("{:.4f},{:.3f},{}", c.score, c.normalized_score, c.inliers);
 }
 
 auto accepted(const std::vector<LoopCandidate>& candidates) {
@@ -48,7 +60,9 @@ nlohmann::ordered_json to_json(const GraphResult& result) {
   return {{"nodes", result.graph.nodes().size()},
           {"odometry_edges", edges_of_kind(result.graph, EdgeKind::kOdometry)},
           {"proximity_edges", edges_of_kind(result.graph, EdgeKind::kProximity)},
+          {"loop_edges", edges_of_kind(result.graph, EdgeKind::kLoop)},
           {"candidates", result.candidates.size()},
+          {"bow_candidates", candidates_of_kind(result.candidates, EdgeKind::kLoop)},
           {"window_solves", statistics.window_solves},
           {"window_s", statistics.window_seconds},
           {"full_solves", statistics.full_solves},
@@ -64,23 +78,25 @@ nlohmann::ordered_json to_json(const GraphResult& result) {
 std::string to_table(const GraphResult& result) {
   const GraphStatistics& statistics = result.statistics;
   return fmt::format(
-      "{:<12} {} odometry and {} proximity edges; {} of {} candidates accepted; solved in {:.2f} "
-      "s\n",
+      "{:<12} {} odometry edges, {} proximity edges, {} loop edges; {} of {} candidates accepted; "
+      "solved in {:.2f} s\n",
       "graph", edges_of_kind(result.graph, EdgeKind::kOdometry),
-      edges_of_kind(result.graph, EdgeKind::kProximity), accepted(result.candidates),
+      edges_of_kind(result.graph, EdgeKind::kProximity),
+      edges_of_kind(result.graph, EdgeKind::kLoop), accepted(result.candidates),
       result.candidates.size(), statistics.window_seconds + statistics.full_seconds);
 }
 
 std::string loops_csv(const std::vector<LoopCandidate>& candidates) {
   std::string csv =
-      "kind,from,to,expected_overlap,overlap,cos_theta,round_trip_m,round_trip_rad,correction_m,"
+      "kind,from,to,score,normalized_score,inliers,expected_overlap,overlap,cos_theta,round_trip_m,"
+      "round_trip_rad,correction_m,"
       "correction_rad,standard_deviations,verdict,reason\n";
   for (const LoopCandidate& c : candidates) {
-    csv += fmt::format("{},{},{},{:.2f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{},{}\n",
-                       name_of(c.kind), c.from, c.to, c.expected_overlap, c.overlap, c.cos_theta,
-                       c.round_trip_translation, c.round_trip_rotation, c.correction_translation,
-                       c.correction_rotation, c.error, c.accepted ? "accepted" : "rejected",
-                       csv_quoted(c.reason));
+    csv += fmt::format(
+        "{},{},{},{},{:.2f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{},{}\n",
+        name_of(c.kind), c.from, c.to, recognition_fields(c), c.expected_overlap, c.overlap,
+        c.cos_theta, c.round_trip_translation, c.round_trip_rotation, c.correction_translation,
+        c.correction_rotation, c.error, c.accepted ? "accepted" : "rejected", csv_quoted(c.reason));
   }
   return csv;
 }

@@ -17,9 +17,11 @@
 #include "cvo_slam/apps/run_report.h"
 #include "cvo_slam/apps/slam_run.h"
 #include "cvo_slam/apps/tracking_arguments.h"
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/loop/vocabulary_file.h"
 
 namespace cvo_slam {
 namespace {
@@ -27,6 +29,7 @@ namespace {
 struct RunArguments {
   TrackingArguments tracking;
   std::string mode = "odometry";
+  std::filesystem::path vocabulary;  // empty = the built-in one
   std::filesystem::path out;
   double max_lost = 0.05;
   bool quiet = false;
@@ -86,13 +89,24 @@ void deliver(const RunArguments& arguments, RunReport& report,
   if (failure) std::rethrow_exception(failure);
 }
 
+/// Null = the built-in one.
+std::shared_ptr<const Vocabulary> vocabulary_of(const RunArguments& arguments) {
+  if (arguments.vocabulary.empty()) return nullptr;
+  if (arguments.mode != "slam") {
+    throw OptionError(fmt::format("--vocabulary is for --mode slam, not {}", arguments.mode));
+  }
+  return std::make_shared<const Vocabulary>(read_vocabulary(arguments.vocabulary));
+}
+
 int run(const RunArguments& arguments) {
   ProgramOptions options = arguments.tracking.options();
+  options.slam.loops.enabled = arguments.mode == "slam";
   if (arguments.dump_config) {
     fmt::print("{}", options_to_yaml(describe(options), true));
     return kDone;
   }
   const InterruptGuard interrupt;
+  const auto vocabulary = vocabulary_of(arguments);
   const auto data = arguments.tracking.open();
   const FrameRange range = arguments.tracking.range(data->size());
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
@@ -101,8 +115,8 @@ int run(const RunArguments& arguments) {
   RunReport report{*data,        range, options, arguments.mode, {},
                    std::nullopt, {},    {},      std::nullopt,   data->notes()};
   const RunControl control{arguments.quiet, arguments.no_map ? 0 : options.map.pixel_step};
-  if (arguments.mode == "graph") {
-    SlamRun slam = run_slam(*data, range, options, control);
+  if (arguments.mode != "odometry") {
+    SlamRun slam = run_slam(*data, range, options, vocabulary, control);
     report.run = std::move(slam.run);
     report.trajectory = std::move(slam.trajectory);
     report.graph = std::move(slam.graph);
@@ -127,9 +141,13 @@ void add_run_command(CLI::App& app, Action& action) {
   arguments->tracking.add_to(*command);
   command
       ->add_option("--mode", arguments->mode,
-                   "odometry = the tracker alone; graph = with a graph of keyframes")
-      ->check(CLI::IsMember({"odometry", "graph"}))
+                   "odometry = the tracker alone; graph = with a graph of keyframes; slam = and "
+                   "with places that are recognised")
+      ->check(CLI::IsMember({"odometry", "graph", "slam"}))
       ->capture_default_str();
+  command->add_option(
+      "--vocabulary", arguments->vocabulary,
+      "Vocabulary file for --mode slam, ours or ORB-SLAM's text (default: built in)");
   command->add_option("--out", arguments->out,
                       "Folder for the files (default results/<sequence>/<time>, linked as latest)");
   command

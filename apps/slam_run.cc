@@ -5,8 +5,8 @@
 namespace cvo_slam {
 
 SlamRun run_slam(const Dataset& data, const FrameRange& range, const ProgramOptions& options,
-                 const RunControl& control) {
-  Slam slam(data.camera(), options.tracker, options.slam);
+                 const std::shared_ptr<const Vocabulary>& vocabulary, const RunControl& control) {
+  Slam slam(data.camera(), options.tracker, options.slam, vocabulary);
   SlamRun result;
   result.run = run_frames(
       data, range, [&](const RgbdFrame& frame) { return slam.track(frame); },

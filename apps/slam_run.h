@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "cvo_slam/apps/odometry_run.h"
@@ -27,8 +28,10 @@ struct SlamRun {
   GraphResult graph;
 };
 
-/// Runs the frames of a range through Slam; see run_frames.
+/// Runs the frames of a range through Slam; see run_frames. Null = the built-in vocabulary.
 [[nodiscard]] SlamRun run_slam(const Dataset& data, const FrameRange& range,
-                               const ProgramOptions& options, const RunControl& control);
+                               const ProgramOptions& options,
+                               const std::shared_ptr<const Vocabulary>& vocabulary,
+                               const RunControl& control);
 
 }  // namespace cvo_slam

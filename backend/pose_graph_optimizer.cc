@@ -54,6 +54,15 @@ void PoseGraphOptimizer::add_edge(const PoseGraphEdge& edge) {
   weights_.push_back(1);
 }
 
+void PoseGraphOptimizer::remove_edge(std::size_t index) {
+  graph_.remove_edge(index);
+  weights_.erase(weights_.begin() + static_cast<std::ptrdiff_t>(index));
+  for (std::vector<std::size_t>& edges : edges_of_node_) {
+    std::erase(edges, index);
+    for (std::size_t& edge : edges) edge -= edge > index ? 1 : 0;
+  }
+}
+
 Summary PoseGraphOptimizer::optimize(OptimizationScope scope) {
   if (scope == OptimizationScope::kWindow) return optimize_window();
   Summary summary = cvo_slam::optimize(graph_, options_);

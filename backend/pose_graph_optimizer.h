@@ -26,6 +26,7 @@ class PoseGraphOptimizer {
   /// As PoseGraph's.
   void add_node(const PoseGraphNode& node);
   void add_edge(const PoseGraphEdge& edge);
+  void remove_edge(std::size_t index);
 
   /// A window's time depends on the window's size, not on the graph's (apart from a few passes over
   /// the lists of nodes and edges); it starts at the given poses, whatever the option says. The

@@ -55,6 +55,14 @@ void PoseGraph::add_edge(const PoseGraphEdge& edge) {
   edges_.push_back(edge);
 }
 
+void PoseGraph::remove_edge(std::size_t index) {
+  if (index >= edges_.size()) {
+    throw DataError(fmt::format("edge {} cannot be removed: there are {}", index, edges_.size()));
+  }
+  edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(index));
+  ends_.erase(ends_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
 std::size_t PoseGraph::index_of(NodeId id) const {
   const auto found = index_.find(id);
   if (found == index_.end()) {

@@ -49,6 +49,9 @@ class PoseGraph {
   /// Throws DataError where an end is unknown, both ends are the same node, the measurement has
   /// values that are not finite, or the information matrix is no such.
   void add_edge(const PoseGraphEdge& edge);
+  /// Takes the index in edges(); those of later edges become one less. Throws DataError where there
+  /// is no such edge.
+  void remove_edge(std::size_t index);
 
   [[nodiscard]] const std::vector<PoseGraphNode>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<PoseGraphEdge>& edges() const { return edges_; }

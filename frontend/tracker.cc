@@ -115,7 +115,7 @@ void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_came
   select(frame, options.keyframe_points);
   undo_shutter(motion.velocity());
   registration.set_fixed(cloud);
-  if (observer) observer(frame.index, cloud);
+  if (observer) observer(frame, cloud);
 }
 
 /// Keeps a copy of the images: the caller may grab the next ones into the same memory.

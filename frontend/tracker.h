@@ -42,9 +42,8 @@ struct FrameRecord {
   RegistrationResult registration;  ///< against the keyframe; T_fixed_moving = T_keyframe_camera
 };
 
-/// Told of each keyframe: the index of its frame and its points, at its stamp. They are lent for
-/// the call.
-using KeyframeObserver = std::function<void(std::size_t frame, const PointCloud& cloud)>;
+/// Told of each keyframe: its frame and its points, at its stamp. They are lent for the call.
+using KeyframeObserver = std::function<void(const RgbdFrame& frame, const PointCloud& cloud)>;
 
 /// Tracks the pose of an RGB-D camera, frame by frame, against keyframes.
 class Tracker {

@@ -8,6 +8,7 @@
 
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/timestamp.h"
 
@@ -32,6 +33,7 @@ struct TrackedKeyframe {
   SE3 T_world_camera;
   std::optional<KeyframeLink> link;  ///< none for the first of a segment
   std::shared_ptr<const PointCloud> cloud;
+  std::shared_ptr<const RgbdFrame> image;  ///< none where places are not recognised
 };
 
 }  // namespace cvo_slam

@@ -1,23 +1,79 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph_cost.h"
 #include "cvo_slam/slam/keyframe_map_internal.h"
 #include "cvo_slam/slam/path_uncertainty_internal.h"
 
 namespace cvo_slam {
+namespace {
 
-KeyframeMap::KeyframeMap(const PinholeCamera& camera, const RegistrationOptions& registration,
-                         int threads, const SlamOptions& options)
+bool are_joined(const PoseGraph& graph, NodeId from, NodeId to) {
+  return std::any_of(graph.edges().begin(), graph.edges().end(),
+                     [&](const PoseGraphEdge& edge) { return edge.from == from && edge.to == to; });
+}
+
+LoopCandidate candidate_of(const LoopMatch& match) {
+  LoopCandidate candidate;
+  candidate.kind = EdgeKind::kLoop;
+  candidate.from = match.keyframe;
+  candidate.to = match.query;
+  candidate.score = match.score;
+  candidate.normalized_score = match.normalized_score;
+  candidate.inliers = match.verification.inliers;
+  return candidate;
+}
+
+struct LoopResidual {
+  std::size_t edge = 0;
+  double error = 0;  // [standard deviations]
+};
+
+/// The loop that fits the graph's poses worst; an error of 0 where there is none.
+LoopResidual worst_loop(const PoseGraph& graph) {
+  LoopResidual worst;
+  for (std::size_t i = 0; i < graph.edges().size(); ++i) {
+    if (graph.edges()[i].kind != EdgeKind::kLoop) continue;
+    const double error = std::sqrt(squared_error(graph, i));
+    if (error > worst.error) worst = {i, error};
+  }
+  return worst;
+}
+
+}  // namespace
+
+KeyframeMap::KeyframeMap(const Camera& camera, const RegistrationOptions& registration, int threads,
+                         const SlamOptions& options,
+                         const std::shared_ptr<const Vocabulary>& vocabulary)
     : camera_(camera),
       options_(options),
       noise_{options.noise_translation, options.noise_rotation},
-      verifier_(registration, threads, options.proximity, noise_),
-      optimizer_(options.optimizer) {}
+      near_verifier_(registration, threads, options.proximity.pair, noise_),
+      optimizer_(options.optimizer) {
+  const LoopClosingOptions& loops = options_.loops;
+  if (!loops.enabled) return;
+  loop_closer_.emplace(LoopCloser{LoopDetector(camera, loops.detection, vocabulary),
+                                  PairVerifier(registration, threads, loops.pair, noise_)});
+}
 
 SE3 KeyframeMap::add(const TrackedKeyframe& keyframe) {
   add_node(keyframe);
-  connect_newest();
-  if (++not_optimized_ >= options_.optimize_every) optimize(OptimizationScope::kWindow);
+  // Of the graph as its poses are: what is joined now has not moved them yet.
+  const Covariances covariances = path_covariances(graph(), views_.size() - 1);
+  join_near_views(covariances);
+  const bool has_loop = loop_closer_ && keyframe.image && close_loops(*keyframe.image, covariances);
+  ++not_optimized_;
+  if (has_loop) {
+    optimize_all();
+  } else if (not_optimized_ >= options_.optimize_every) {
+    optimize(OptimizationScope::kWindow);
+  }
   return graph().nodes().back().T_world_node;
 }
 
@@ -41,33 +97,72 @@ void KeyframeMap::add_node(const TrackedKeyframe& keyframe) {
   ++odometry_edges_;
 }
 
-void KeyframeMap::connect_newest() {
-  const auto near = find_near_views(views_, camera_, options_.proximity);
+void KeyframeMap::join_near_views(const Covariances& covariances) {
+  const auto near = find_near_views(views_, camera_.color, options_.proximity);
   if (near.empty()) return;
-  const KeyframeView& newest = views_.back();
-  const auto covariances = path_covariances(graph(), views_.size() - 1);
-  verifier_.set_newest(*newest.cloud);
+  near_verifier_.set_newest(*views_.back().cloud);
   for (const NearView& view : near) {
-    const KeyframeView& older = views_[view.index];
     const auto& covariance = covariances[view.index];
     if (!covariance) continue;
-    const SE3 T_older_newer = older.T_world_camera.inverse() * newest.T_world_camera;
-    // From a perturbation of the older one as seen from the newest to one of the newest.
-    const Matrix6 adjoint = T_older_newer.inverse().adjoint();
-    const PairPrior prior{T_older_newer, adjoint * *covariance * adjoint.transpose()};
     LoopCandidate candidate;
-    candidate.from = older.frame;
-    candidate.to = newest.frame;
+    candidate.from = views_[view.index].frame;
+    candidate.to = views_.back().frame;
     candidate.expected_overlap = view.expected_overlap;
-    const auto measurement = verifier_.verify(*older.cloud, prior, usual_cos_theta(), candidate);
-    if (measurement) add_edge(candidate, *measurement);
+    const PairPrior prior = prior_of(view.index, *covariance);
+    join(near_verifier_, view.index, prior.T_older_newer, prior, candidate);
     candidates_.push_back(candidate);
   }
 }
 
-void KeyframeMap::add_edge(const LoopCandidate& candidate, const PairMeasurement& measurement) {
-  optimizer_.add_edge({node_id(candidate.from), node_id(candidate.to), measurement.T_older_newer,
-                       edge_information(measurement.T_older_newer, measurement.information),
+/// Answers whether there is a new edge.
+bool KeyframeMap::close_loops(const RgbdFrame& image, const Covariances& covariances) {
+  LoopDetector& detector = loop_closer_->detector;
+  const auto appearance = detector.extract(image);
+  const std::vector<LoopMatch> matches = detector.find_loops(*appearance);
+  detector.add(appearance);
+  if (!matches.empty()) loop_closer_->verifier.set_newest(*views_.back().cloud);
+  bool closed = false;
+  for (const LoopMatch& match : matches) {
+    LoopCandidate candidate = candidate_of(match);
+    close_loop(match, covariances, candidate);
+    closed = closed || candidate.accepted;
+    candidates_.push_back(std::move(candidate));
+  }
+  return closed;
+}
+
+void KeyframeMap::close_loop(const LoopMatch& match, const Covariances& covariances,
+                             LoopCandidate& candidate) {
+  const std::size_t older = graph().index_of(node_id(match.keyframe));
+  const auto& covariance = covariances[older];
+  if (!match.verification.accepted) {
+    candidate.reason = match.verification.reason;
+  } else if (are_joined(graph(), node_id(match.keyframe), node_id(match.query))) {
+    candidate.reason = "joined already, as near ones";
+  } else if (!covariance) {
+    candidate.reason = "of another segment: the graph cannot say whether it is likely";
+  } else {
+    const PairPrior prior = prior_of(older, *covariance);
+    join(loop_closer_->verifier, older, match.verification.T_a_b, prior, candidate);
+  }
+}
+
+/// `covariance` is that of a perturbation of the older one as seen from the newest.
+PairPrior KeyframeMap::prior_of(std::size_t older, const Matrix6& covariance) const {
+  const SE3 T_older_newer = views_[older].T_world_camera.inverse() * views_.back().T_world_camera;
+  const Matrix6 adjoint = T_older_newer.inverse().adjoint();
+  return {T_older_newer, adjoint * covariance * adjoint.transpose()};
+}
+
+/// Registers the newest keyframe to an older one from T_older_newer, and adds an edge where the
+/// answer is believed.
+void KeyframeMap::join(PairVerifier& verifier, std::size_t older, const SE3& T_older_newer,
+                       const PairPrior& prior, LoopCandidate& candidate) {
+  const auto measurement =
+      verifier.verify(*views_[older].cloud, T_older_newer, prior, usual_cos_theta(), candidate);
+  if (!measurement) return;
+  optimizer_.add_edge({node_id(candidate.from), node_id(candidate.to), measurement->T_older_newer,
+                       edge_information(measurement->T_older_newer, measurement->information),
                        candidate.kind, true});
 }
 
@@ -94,7 +189,27 @@ void KeyframeMap::optimize(OptimizationScope scope) {
 void KeyframeMap::optimize_all() {
   if (is_optimized_) return;
   optimize(OptimizationScope::kFull);
+  while (take_back_worst_loop()) optimize(OptimizationScope::kFull);
   is_optimized_ = true;
+}
+
+/// Removes the loop that fits worst, where that is too badly. One at a time: a wrong loop makes
+/// right ones fit badly too.
+bool KeyframeMap::take_back_worst_loop() {
+  const LoopResidual worst = worst_loop(graph());
+  if (worst.error <= options_.loops.max_residual) return false;
+  const PoseGraphEdge edge = graph().edges()[worst.edge];
+  optimizer_.remove_edge(worst.edge);
+  for (LoopCandidate& candidate : candidates_) {
+    if (candidate.kind != EdgeKind::kLoop || node_id(candidate.from) != edge.from ||
+        node_id(candidate.to) != edge.to) {
+      continue;
+    }
+    candidate.accepted = false;
+    candidate.reason =
+        fmt::format("taken back: {:.1f} standard deviations from the optimised graph", worst.error);
+  }
+  return true;
 }
 
 }  // namespace cvo_slam

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "cvo_slam/backend/pose_graph_optimizer.h"
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/frontend/registration.h"
+#include "cvo_slam/loop/loop_detector.h"
 #include "cvo_slam/slam/graph_statistics.h"
 #include "cvo_slam/slam/keyframe_internal.h"
 #include "cvo_slam/slam/loop_candidate.h"
@@ -21,13 +24,16 @@ namespace cvo_slam {
 /// a time.
 class KeyframeMap {
  public:
-  KeyframeMap(const PinholeCamera& camera, const RegistrationOptions& registration, int threads,
-              const SlamOptions& options);
+  /// Without a vocabulary, with the built-in one, where loops are looked for.
+  KeyframeMap(const Camera& camera, const RegistrationOptions& registration, int threads,
+              const SlamOptions& options, const std::shared_ptr<const Vocabulary>& vocabulary = {});
 
-  /// Adds a keyframe, registers it to near ones, and now and then optimises the newest part.
-  /// Answers the pose that the keyframe has now. Frames must ascend.
+  /// Adds a keyframe, registers it to near ones and to those that show the same place, and now and
+  /// then optimises the newest part, or all where a loop was closed. Answers the pose that the
+  /// keyframe has now. Frames must ascend.
   SE3 add(const TrackedKeyframe& keyframe);
-  /// Optimises the whole graph, unless nothing was added since that was done.
+  /// Optimises the whole graph, and takes back loops that do not fit, unless nothing was added
+  /// since that was done.
   void optimize_all();
 
   [[nodiscard]] const PoseGraph& graph() const { return optimizer_.graph(); }
@@ -35,16 +41,29 @@ class KeyframeMap {
   [[nodiscard]] const GraphStatistics& statistics() const { return statistics_; }
 
  private:
+  /// What it takes to close a loop.
+  struct LoopCloser {
+    LoopDetector detector;
+    PairVerifier verifier;
+  };
+  using Covariances = std::vector<std::optional<Matrix6>>;  // of each as seen from the newest
+
   void add_node(const TrackedKeyframe& keyframe);
-  void add_edge(const LoopCandidate& candidate, const PairMeasurement& measurement);
-  void connect_newest();
+  void join_near_views(const Covariances& covariances);
+  bool close_loops(const RgbdFrame& image, const Covariances& covariances);
+  void close_loop(const LoopMatch& match, const Covariances& covariances, LoopCandidate& candidate);
+  [[nodiscard]] PairPrior prior_of(std::size_t older, const Matrix6& covariance) const;
+  void join(PairVerifier& verifier, std::size_t older, const SE3& T_older_newer,
+            const PairPrior& prior, LoopCandidate& candidate);
+  bool take_back_worst_loop();
   void optimize(OptimizationScope scope);
   [[nodiscard]] double usual_cos_theta() const;
 
-  PinholeCamera camera_;
+  Camera camera_;
   SlamOptions options_;
   RegistrationNoise noise_;
-  PairVerifier verifier_;
+  PairVerifier near_verifier_;
+  std::optional<LoopCloser> loop_closer_;
   PoseGraphOptimizer optimizer_;
   std::vector<KeyframeView> views_;  // in the order of the graph's nodes
   std::vector<LoopCandidate> candidates_;

@@ -12,9 +12,14 @@ namespace cvo_slam {
 /// A pair of keyframes that might constrain one another, and what became of it.
 struct LoopCandidate {
   EdgeKind kind = EdgeKind::kProximity;
-  std::size_t from = 0;         ///< frame index of the older keyframe
-  std::size_t to = 0;           ///< frame index of the newer one
-  double expected_overlap = 0;  ///< by the poses of the graph
+  std::size_t from = 0;  ///< frame index of the older keyframe
+  std::size_t to = 0;    ///< frame index of the newer one
+  /// Of a place that was recognised (kLoop): how alike the words are, also as a share of what they
+  /// are with the keyframe before (LoopMatch), and how many features agree with one pose.
+  double score = 0;
+  double normalized_score = 0;
+  std::size_t inliers = 0;
+  double expected_overlap = 0;  ///< by the poses of the graph; of a near one
   double overlap = 0;           ///< the lower one of the two registrations
   double cos_theta = 0;         ///< likewise
   /// How far the two registrations, one each way, are apart [m, rad].
@@ -25,7 +30,7 @@ struct LoopCandidate {
   double correction_rotation = 0;
   double error = 0;
   bool accepted = false;
-  std::string reason;  ///< why it was not accepted; empty where it was
+  std::string reason;  ///< why it was not accepted, or taken back later; empty where it is an edge
 };
 
 }  // namespace cvo_slam

@@ -52,7 +52,7 @@ void compare(const PairMeasurement& measurement, const PairPrior& prior, LoopCan
 }
 
 /// Why a pair is not believed; empty where it is.
-std::string find_fault(const LoopCandidate& c, double usual_cos_theta, const ProximityOptions& o) {
+std::string find_fault(const LoopCandidate& c, double usual_cos_theta, const PairOptions& o) {
   if (c.overlap < o.min_overlap) {
     return fmt::format("overlap {:.2f} is below {:.2f}", c.overlap, o.min_overlap);
   }
@@ -74,7 +74,7 @@ std::string find_fault(const LoopCandidate& c, double usual_cos_theta, const Pro
 }  // namespace
 
 PairVerifier::PairVerifier(const RegistrationOptions& registration, int threads,
-                           const ProximityOptions& options, const RegistrationNoise& noise)
+                           const PairOptions& options, const RegistrationNoise& noise)
     : options_(options),
       noise_(noise),
       to_newest_(registration, threads),
@@ -85,11 +85,12 @@ void PairVerifier::set_newest(const PointCloud& cloud) {
   newest_ = first_points(cloud, options_.points);
 }
 
-std::optional<PairMeasurement> PairVerifier::verify(const PointCloud& older, const PairPrior& prior,
-                                                    double usual_cos_theta,
+std::optional<PairMeasurement> PairVerifier::verify(const PointCloud& older,
+                                                    const SE3& T_older_newer,
+                                                    const PairPrior& prior, double usual_cos_theta,
                                                     LoopCandidate& candidate) {
-  const RegistrationResult back = to_newest_.align(
-      first_points(older, options_.points), prior.T_older_newer.inverse(), options_.skip_scales);
+  const RegistrationResult back = to_newest_.align(first_points(older, options_.points),
+                                                   T_older_newer.inverse(), options_.skip_scales);
   // The way back costs nothing new to prepare; where it fails the way there need not be tried.
   if (back.status == RegistrationStatus::kFailed || back.overlap < options_.min_overlap) {
     candidate.overlap = back.overlap;
@@ -100,17 +101,16 @@ std::optional<PairMeasurement> PairVerifier::verify(const PointCloud& older, con
     return std::nullopt;
   }
   to_older_.set_fixed(older);
-  const RegistrationResult there =
-      to_older_.align(newest_, prior.T_older_newer, options_.skip_scales);
+  const RegistrationResult there = to_older_.align(newest_, T_older_newer, options_.skip_scales);
   if (there.status == RegistrationStatus::kFailed) {
     candidate.reason = there.reason;
     return std::nullopt;
   }
   compare(there, back, candidate);
   // Each way has points of its own; the middle has less noise than either.
-  const SE3 T_older_newer =
+  const SE3 T_middle =
       interpolate(there.T_fixed_moving, back.T_fixed_moving.inverse(), 0.5).normalized();
-  const PairMeasurement measurement{T_older_newer, noise_.added_to(there.information)};
+  const PairMeasurement measurement{T_middle, noise_.added_to(there.information)};
   compare(measurement, prior, candidate);
   candidate.reason = find_fault(candidate, usual_cos_theta, options_);
   candidate.accepted = candidate.reason.empty();

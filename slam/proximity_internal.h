@@ -52,19 +52,20 @@ struct PairMeasurement {
 /// Registers the newest keyframe to earlier ones, and judges the answers.
 class PairVerifier {
  public:
-  PairVerifier(const RegistrationOptions& registration, int threads,
-               const ProximityOptions& options, const RegistrationNoise& noise);
+  PairVerifier(const RegistrationOptions& registration, int threads, const PairOptions& options,
+               const RegistrationNoise& noise);
 
   void set_newest(const PointCloud& cloud);
-  /// The measurement where it is believed; `candidate` gets all figures and the verdict.
-  /// `usual_cos_theta` is that of registrations that are known to be good.
+  /// The measurement, searched for from T_older_newer, where it is believed; `candidate` gets all
+  /// figures and the verdict. `usual_cos_theta` is that of registrations that are known to be good.
   [[nodiscard]] std::optional<PairMeasurement> verify(const PointCloud& older,
+                                                      const SE3& T_older_newer,
                                                       const PairPrior& prior,
                                                       double usual_cos_theta,
                                                       LoopCandidate& candidate);
 
  private:
-  ProximityOptions options_;
+  PairOptions options_;
   RegistrationNoise noise_;
   Registration to_newest_;
   Registration to_older_;

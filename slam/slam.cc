@@ -31,10 +31,25 @@ struct MappedKeyframe {
   SE3 T_world_camera;
 };
 
+/// What a new keyframe saw.
+struct NewKeyframe {
+  std::shared_ptr<const PointCloud> cloud;
+  std::shared_ptr<const RgbdFrame> image;  // where loops are looked for
+};
+
+/// The caller may grab the next images into the memory of these.
+std::shared_ptr<const RgbdFrame> copy_of(const RgbdFrame& frame) {
+  RgbdFrame copy = frame;
+  copy.color = frame.color.clone();
+  copy.depth = frame.depth.clone();
+  return std::make_shared<const RgbdFrame>(std::move(copy));
+}
+
 /// A new keyframe with what the tracker found of it.
-TrackedKeyframe keyframe_of(const FrameRecord& record) {
+TrackedKeyframe keyframe_of(const FrameRecord& record, NewKeyframe seen) {
   TrackedKeyframe keyframe{record.index,          record.stamp, record.segment,
-                           record.T_world_camera, std::nullopt, nullptr};
+                           record.T_world_camera, std::nullopt, std::move(seen.cloud),
+                           std::move(seen.image)};
   if (record.keyframe != record.index) {
     const RegistrationResult& result = record.registration;
     keyframe.link = {record.keyframe, result.T_fixed_moving, result.information, result.cos_theta};
@@ -49,28 +64,29 @@ SE3 pose_in(const PoseGraph& graph, std::size_t keyframe) {
 }  // namespace
 
 struct Slam::Impl {
-  Impl(const Camera& camera, const TrackerOptions& tracker_options, const SlamOptions& slam_options)
+  Impl(const Camera& camera, const TrackerOptions& tracker_options, const SlamOptions& slam_options,
+       const std::shared_ptr<const Vocabulary>& vocabulary)
       : options(checked(slam_options)),
         tracker(camera, tracker_options),
-        map(camera.color, tracker_options.registration, tracker_options.threads, options),
+        map(camera, tracker_options.registration, tracker_options.threads, options, vocabulary),
         jobs(options.schedule) {
     tracker.observe_keyframes(
-        [this](std::size_t frame, const PointCloud& cloud) { see_keyframe(frame, cloud); });
+        [this](const RgbdFrame& frame, const PointCloud& cloud) { see_keyframe(frame, cloud); });
   }
 
   SlamOptions options;
   Tracker tracker;
-  std::map<std::size_t, std::shared_ptr<const PointCloud>> new_clouds;  // by frame; of keyframes
-  std::vector<FrameRecord> tracked;                                     // as the tracker answered
-  std::vector<FrameRecord> online;  // with what was known at the time
-  std::vector<Keyframe> keyframes;  // handed over to the map
+  std::map<std::size_t, NewKeyframe> new_keyframes;  // by frame
+  std::vector<FrameRecord> tracked;                  // as the tracker answered
+  std::vector<FrameRecord> online;                   // with what was known at the time
+  std::vector<Keyframe> keyframes;                   // handed over to the map
   std::deque<std::shared_ptr<const MappedKeyframe>> on_their_way;
   int correction_segment = 0;
   SE3 T_corrected_tracked;  // worlds of that segment
   KeyframeMap map;
   JobQueue jobs;  // the last member: its thread ends before what it works on
 
-  void see_keyframe(std::size_t frame, const PointCloud& cloud);
+  void see_keyframe(const RgbdFrame& frame, const PointCloud& cloud);
   FrameRecord track(const RgbdFrame& frame);
   void hand_over_keyframes_before(std::size_t frame);
   void submit(TrackedKeyframe keyframe);
@@ -81,9 +97,11 @@ struct Slam::Impl {
 };
 
 /// Keeps the points of a new keyframe, or of one that is made again before the map has it.
-void Slam::Impl::see_keyframe(std::size_t frame, const PointCloud& cloud) {
-  if (!keyframes.empty() && frame <= keyframes.back().frame) return;
-  new_clouds[frame] = std::make_shared<const PointCloud>(cloud);
+void Slam::Impl::see_keyframe(const RgbdFrame& frame, const PointCloud& cloud) {
+  if (!keyframes.empty() && frame.index <= keyframes.back().frame) return;
+  NewKeyframe& seen = new_keyframes[frame.index];
+  seen.cloud = std::make_shared<const PointCloud>(cloud);
+  if (options.loops.enabled && !seen.image) seen.image = copy_of(frame);
 }
 
 FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
@@ -107,11 +125,9 @@ FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
 }
 
 void Slam::Impl::hand_over_keyframes_before(std::size_t frame) {
-  while (!new_clouds.empty() && new_clouds.begin()->first < frame) {
-    TrackedKeyframe keyframe = keyframe_of(record_of(new_clouds.begin()->first));
-    keyframe.cloud = std::move(new_clouds.begin()->second);
-    new_clouds.erase(new_clouds.begin());
-    submit(std::move(keyframe));
+  while (!new_keyframes.empty() && new_keyframes.begin()->first < frame) {
+    const auto next = new_keyframes.extract(new_keyframes.begin());
+    submit(keyframe_of(record_of(next.key()), next.mapped()));
     apply_corrections(static_cast<std::size_t>(options.correction_delay));
   }
 }
@@ -173,8 +189,9 @@ SE3 Slam::Impl::final_pose(std::size_t record) const {
   return (T_world_camera * SE3::exp(share * correction.log())).normalized();
 }
 
-Slam::Slam(const Camera& camera, const TrackerOptions& tracker, const SlamOptions& options)
-    : impl_(std::make_unique<Impl>(camera, tracker, options)) {}
+Slam::Slam(const Camera& camera, const TrackerOptions& tracker, const SlamOptions& options,
+           const std::shared_ptr<const Vocabulary>& vocabulary)
+    : impl_(std::make_unique<Impl>(camera, tracker, options, vocabulary)) {}
 
 Slam::~Slam() = default;
 Slam::Slam(Slam&&) noexcept = default;

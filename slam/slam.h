@@ -11,6 +11,7 @@
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/frontend/tracker.h"
+#include "cvo_slam/loop/vocabulary.h"
 #include "cvo_slam/slam/graph_statistics.h"
 #include "cvo_slam/slam/loop_candidate.h"
 #include "cvo_slam/slam/slam_options.h"
@@ -31,7 +32,8 @@ struct Keyframe {
 };
 
 /// Tracks an RGB-D camera and keeps a graph of its keyframes, in which many registrations between
-/// near ones hold the drift down.
+/// near ones hold the drift down and, where SlamOptions::loops are enabled, places that are
+/// recognised take it out.
 ///
 ///   Slam slam(camera);
 ///   while (...) slam.track(frame);
@@ -42,9 +44,11 @@ struct Keyframe {
 /// answer is of the keyframes that the map knows so far; they wait for work that is under way.
 class Slam {
  public:
-  /// Throws OptionError where the camera or an option is impossible.
+  /// Throws OptionError where the camera or an option is impossible. The vocabulary is for loops;
+  /// without one they use the built-in one.
   explicit Slam(const Camera& camera, const TrackerOptions& tracker = {},
-                const SlamOptions& options = {});
+                const SlamOptions& options = {},
+                const std::shared_ptr<const Vocabulary>& vocabulary = nullptr);
   ~Slam();
   Slam(Slam&& other) noexcept;
   Slam& operator=(Slam&& other) noexcept;

@@ -4,26 +4,12 @@
 
 namespace cvo_slam {
 
-OptionSet describe(ProximityOptions& o) {
+OptionSet describe(PairOptions& o) {
   return OptionSet()
-      .add("recent", o.recent, {0, 1000}, "keyframes",
-           "A new keyframe is registered to so many before its predecessor. They are what holds "
-           "the drift down; at a keyframe each quarter of the field of view, the fifth has left "
-           "the image.")
-      .add("near", o.near, {0, 1000}, "keyframes",
-           "And to so many of the older ones that see the same. Each costs two registrations.")
-      .add("min_gap", o.min_gap, {1, 100000}, "keyframes",
-           "Of the older ones no two are closer in the sequence than this: neighbours saw the same "
-           "from the same place and would say the same.")
       .add("points", o.points, {50, 100000}, "",
            "Points of the moving keyframe, as of a frame that is tracked.")
       .add("skip_scales", o.skip_scales, {0, 100}, "",
-           "So many of the coarsest length scales are left out: the graph's poses are a good "
-           "start.")
-      .add("min_expected_overlap", o.min_expected_overlap, {0, 1}, "",
-           "The share of either keyframe's points that must lie in the other's image, by the "
-           "graph's poses, for a registration to be tried. Things in between are not looked for, "
-           "so that this is no less than min_overlap.")
+           "So many of the coarsest length scales are left out, where the start is a good one.")
       .add("min_overlap", o.min_overlap, {0, 1}, "",
            "A registration with less overlap is not believed: what the points without a partner "
            "would have said is missing, and the sensor's errors are not the same in two views that "
@@ -42,6 +28,36 @@ OptionSet describe(ProximityOptions& o) {
            "its most certain path, and of the registration) than this is not believed. Twice what "
            "chi-square's 99 % allow, for drift is not white: with 4 the registrations that correct "
            "the drift of fr1/rpy are among those refused, and its ATE is 0.037 m, not 0.017.");
+}
+
+OptionSet describe(ProximityOptions& o) {
+  return OptionSet()
+      .add("recent", o.recent, {0, 1000}, "keyframes",
+           "A new keyframe is registered to so many before its predecessor. They are what holds "
+           "the drift down; at a keyframe each quarter of the field of view, the fifth has left "
+           "the image.")
+      .add("near", o.near, {0, 1000}, "keyframes",
+           "And to so many of the older ones that see the same. Each costs two registrations.")
+      .add("min_gap", o.min_gap, {1, 100000}, "keyframes",
+           "Of the older ones no two are closer in the sequence than this: neighbours saw the same "
+           "from the same place and would say the same.")
+      .add("min_expected_overlap", o.min_expected_overlap, {0, 1}, "",
+           "The share of either keyframe's points that must lie in the other's image, by the "
+           "graph's poses, for a registration to be tried. Things in between are not looked for, "
+           "so that this is no less than pair.min_overlap.")
+      .add("pair", describe(o.pair));
+}
+
+OptionSet describe(LoopClosingOptions& o) {
+  return OptionSet()
+      .add("enabled", o.enabled,
+           "Whether keyframes are looked for that show the place of the newest one, wherever the "
+           "graph has them. The program's --mode decides.")
+      .add("detection", describe(o.detection))
+      .add("pair", describe(o.pair))
+      .add("max_residual", o.max_residual, {0, 1e6}, "",
+           "A loop that the optimised graph contradicts by more of its own standard deviations is "
+           "taken back.");
 }
 
 OptionSet describe(SlamOptions& o) {
@@ -63,6 +79,7 @@ OptionSet describe(SlamOptions& o) {
            "says 7 mm, part of which is its own.")
       .add("noise_rotation", o.noise_rotation, {0, 1}, "rad", "The same for the rotation.")
       .add("proximity", describe(o.proximity))
+      .add("loops", describe(o.loops))
       .add("optimizer", describe(o.optimizer));
 }
 

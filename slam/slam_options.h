@@ -4,6 +4,7 @@
 
 #include "cvo_slam/backend/optimizer_options.h"
 #include "cvo_slam/core/options.h"
+#include "cvo_slam/loop/loop_options.h"
 
 namespace cvo_slam {
 
@@ -13,20 +14,35 @@ enum class Schedule {
   kPipelined,  ///< in a thread of its own, while the next frames are tracked
 };
 
-/// Which earlier keyframes a new one is registered to besides its predecessor, and when the answer
-/// is believed.
-struct ProximityOptions {
-  int recent = 4;
-  int near = 4;
-  int min_gap = 5;
+/// How a keyframe is registered to an earlier one, and when the answer is believed.
+struct PairOptions {
   int points = 1500;
   int skip_scales = 1;
-  double min_expected_overlap = 0.6;
   double min_overlap = 0.6;
   double min_cos_theta = 0.4;
   double max_round_trip_translation = 0.01;
   double max_round_trip_rotation = 0.015;
   double max_error = 8;
+};
+
+/// Which earlier keyframes a new one is registered to besides its predecessor.
+struct ProximityOptions {
+  int recent = 4;
+  int near = 4;
+  int min_gap = 5;
+  double min_expected_overlap = 0.6;
+  PairOptions pair;
+};
+
+/// Whether and how places that were seen before are recognised by their images.
+struct LoopClosingOptions {
+  bool enabled = false;
+  LoopOptions detection;
+  PairOptions pair = {.skip_scales = 0,
+                      .min_overlap = 0.5,
+                      .max_round_trip_translation = 0.02,
+                      .max_round_trip_rotation = 0.02};
+  double max_residual = 8;
 };
 
 struct SlamOptions {
@@ -36,10 +52,13 @@ struct SlamOptions {
   double noise_translation = 0.004;
   double noise_rotation = 0.004;
   ProximityOptions proximity;
+  LoopClosingOptions loops;
   OptimizerOptions optimizer = {.loss = RobustLoss::kCauchy};
 };
 
+[[nodiscard]] OptionSet describe(PairOptions& options);
 [[nodiscard]] OptionSet describe(ProximityOptions& options);
+[[nodiscard]] OptionSet describe(LoopClosingOptions& options);
 [[nodiscard]] OptionSet describe(SlamOptions& options);
 
 }  // namespace cvo_slam

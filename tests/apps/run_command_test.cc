@@ -181,6 +181,28 @@ TEST_F(RunCommand, GraphModeWritesItsFilesToo) {
   }
 }
 
+TEST_F(RunCommand, SlamModeRecognisesPlaces) {
+  const auto result = run({"--mode", "slam", "--set", "tracker.keyframe.max_translation=0.01",
+                           "--set", "tracker.keyframe.max_rotation=0.01", "--set",
+                           "slam.loops.detection.candidates.min_gap=3"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("loop edges"));
+  const auto report = nlohmann::json::parse(file("report.json"));
+  EXPECT_EQ(report["mode"], "slam");
+  EXPECT_EQ(report["options"]["slam.loops.enabled"], true);
+  EXPECT_GT(report["graph"]["bow_candidates"], 0);
+  EXPECT_TRUE(report["graph"]["loop_edges"].is_number_integer());
+  EXPECT_THAT(file("loops.csv"), AllOf(HasSubstr("kind,from,to,score,normalized_score,inliers,"),
+                                       HasSubstr("\nbow,"), HasSubstr("\nproximity,")));
+}
+
+TEST_F(RunCommand, VocabularyIsForSlamModeAndMustBeOne) {
+  folder_.write("broken.voc", "no vocabulary");
+  const std::string file = folder_.path() / "broken.voc";
+  expect_error(run({"--mode", "slam", "--vocabulary", file}), 2, "broken.voc");
+  expect_error(run({"--vocabulary", file}), 2, "--mode slam");
+}
+
 TEST_F(RunCommand, FramesTakesARange) {
   ASSERT_EQ(run({"--quiet", "--frames", "3:7"}).exit_code, 0);
   EXPECT_EQ(read_tum(folder_.path() / "out" / "trajectory.txt").size(), 4U);

@@ -84,6 +84,26 @@ TEST(PoseGraphOptimizer, RejectedEdgesStayRejectedAndCanBeSeen) {
   EXPECT_EQ(window.rejected_edges(), 1);
 }
 
+TEST(PoseGraphOptimizer, ARemovedEdgeLeavesNothingBehind) {
+  const SampleGraph sample = make_rounds(20, 2);
+  PoseGraphOptimizer optimizer({.window = 4});
+  PoseGraphOptimizer expected({.window = 4});
+  grow(expected, sample.graph, [] {});
+  for (const PoseGraphNode& node : expected.graph().nodes()) optimizer.add_node(node);
+  // In the middle of the list, so that later edges get other indices.
+  const auto& edges = expected.graph().edges();
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i == 30) optimizer.add_edge({50, 5, SE3(), 1e4 * Matrix6::Identity(), EdgeKind::kLoop});
+    optimizer.add_edge(edges[i]);
+  }
+  optimizer.remove_edge(30);
+  EXPECT_EQ(optimizer.weights().size(), edges.size());
+  for (const OptimizationScope scope : {OptimizationScope::kWindow, OptimizationScope::kFull}) {
+    EXPECT_EQ(optimizer.optimize(scope).final_cost, expected.optimize(scope).final_cost);
+  }
+  EXPECT_THROW(optimizer.remove_edge(edges.size()), DataError);
+}
+
 TEST(PoseGraphOptimizer, AnEmptyGraphIsOptimal) {
   PoseGraphOptimizer optimizer;
   EXPECT_TRUE(optimizer.optimize().converged);

@@ -76,6 +76,17 @@ TEST(PoseGraph, RefusesBadEdges) {
   EXPECT_EQ(graph.edges().size(), 1);
 }
 
+TEST(PoseGraph, RemovesEdges) {
+  PoseGraph graph = nodes(3);
+  graph.add_edge({0, 1, at(1)});
+  graph.add_edge({1, 2, at(1)});
+  graph.remove_edge(0);
+  ASSERT_EQ(graph.edges().size(), 1);
+  EXPECT_EQ(graph.edges()[0].to, 2);
+  EXPECT_THAT(graph.ends(), ElementsAre(std::pair<std::size_t, std::size_t>(1, 2)));
+  EXPECT_EQ(error_of([&] { graph.remove_edge(1); }), "edge 1 cannot be removed: there are 1");
+}
+
 TEST(PoseGraph, KnowsItsConnectedParts) {
   PoseGraph graph = nodes(6);
   graph.add_edge({5, 1, at(1)});

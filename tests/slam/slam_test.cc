@@ -117,17 +117,19 @@ TEST_F(SlamOnSyntheticFrames, EveryCandidateHasAVerdictAndTheAcceptedOnesAreEdge
 
 TEST_F(SlamOnSyntheticFrames, WhatIsNotBelievedSaysWhy) {
   const auto reason_with = [this](const std::function<void(ProximityOptions&)>& change) {
-    slam_.proximity = {.min_gap = 2};
+    slam_.proximity = {};
+    slam_.proximity.min_gap = 2;
     change(slam_.proximity);
     std::string reasons;
     for (const LoopCandidate& candidate : run().loop_candidates()) reasons += candidate.reason;
     return reasons;
   };
   using testing::HasSubstr;
-  EXPECT_THAT(reason_with([](auto& o) { o.min_overlap = 1; }), HasSubstr("overlap"));
-  EXPECT_THAT(reason_with([](auto& o) { o.min_cos_theta = 1; }), HasSubstr("cos_theta"));
-  EXPECT_THAT(reason_with([](auto& o) { o.max_round_trip_rotation = 0; }), HasSubstr("and back"));
-  EXPECT_THAT(reason_with([](auto& o) { o.max_error = 0; }), HasSubstr("standard deviations"));
+  EXPECT_THAT(reason_with([](auto& o) { o.pair.min_overlap = 1; }), HasSubstr("overlap"));
+  EXPECT_THAT(reason_with([](auto& o) { o.pair.min_cos_theta = 1; }), HasSubstr("cos_theta"));
+  EXPECT_THAT(reason_with([](auto& o) { o.pair.max_round_trip_rotation = 0; }),
+              HasSubstr("and back"));
+  EXPECT_THAT(reason_with([](auto& o) { o.pair.max_error = 0; }), HasSubstr("standard deviations"));
 }
 
 TEST_F(SlamOnSyntheticFrames, SameResultAgainWithTwoThreadsAndPipelined) {

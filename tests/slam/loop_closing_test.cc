@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Loops by images alone: proximity is off, so that nothing else joins keyframes far apart.
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cvo_slam/frontend/point_selection.h"
+#include "cvo_slam/slam/keyframe_map_internal.h"
+#include "cvo_slam/slam/slam.h"
+#include "cvo_slam/tests/frontend/synthetic_frames.h"
+#include "cvo_slam/tests/frontend/test_frames.h"
+#include "cvo_slam/tests/frontend/tracker_test_options.h"
+
+namespace cvo_slam {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kCorridor = 6;  // [m]; how far the nearest look-alikes of `house` are apart
+
+SlamOptions loop_options() {
+  SlamOptions options;
+  options.proximity.recent = options.proximity.near = 0;
+  options.loops.enabled = true;
+  options.loops.detection.candidates.min_gap = 3;  // these walks have few keyframes
+  return options;
+}
+
+std::vector<LoopCandidate> loops_of(const std::vector<LoopCandidate>& candidates) {
+  std::vector<LoopCandidate> loops;
+  for (const LoopCandidate& candidate : candidates) {
+    if (candidate.kind == EdgeKind::kLoop) loops.push_back(candidate);
+  }
+  return loops;
+}
+
+std::size_t accepted(const std::vector<LoopCandidate>& loops) {
+  std::size_t count = 0;
+  for (const LoopCandidate& loop : loops) count += loop.accepted ? 1 : 0;
+  return count;
+}
+
+/// A map fed with keyframes whose images and poses need not belong together.
+class LoopsOfAMap : public testing::Test {
+ protected:
+  void make_map(const SlamOptions& options) {
+    map_ = std::make_unique<KeyframeMap>(walk_.camera(), tracker_test_options().registration, 1,
+                                         options);
+  }
+
+  /// A keyframe with the image of a place, which the tracker believes to be at a pose.
+  void add(std::size_t place, const SE3& T_world_camera, int segment = 0) {
+    TrackedKeyframe keyframe;
+    keyframe.frame = poses_.size();
+    keyframe.segment = segment;
+    keyframe.T_world_camera = T_world_camera;
+    if (!poses_.empty() && segment == segment_) {
+      keyframe.link = {poses_.size() - 1, poses_.back().inverse() * T_world_camera,
+                       1e6 * Matrix6::Identity(), kCosTheta};
+    }
+    const auto image = std::make_shared<const RgbdFrame>(walk_.frame(poses_.size(), place));
+    keyframe.stamp = image->stamp;
+    keyframe.cloud =
+        std::make_shared<const PointCloud>(select_points(*image, walk_.camera(), kPoints));
+    keyframe.image = image;
+    poses_.push_back(T_world_camera);
+    segment_ = segment;
+    map_->add(keyframe);
+  }
+
+  /// Keyframes along the walk, believed to be where they are.
+  void walk(int keyframes) {
+    for (int i = 0; i < keyframes; ++i) add(place(i), pose(place(i)));
+  }
+  static std::size_t place(int keyframe) { return 8 * static_cast<std::size_t>(keyframe); }
+  [[nodiscard]] SE3 pose(std::size_t place) const { return walk_.T_first_camera(0, place); }
+  /// Another place that looks the same.
+  [[nodiscard]] SE3 look_alike(std::size_t place) const {
+    return SE3(Matrix3::Identity(), Vector3(kCorridor, 0, 0)) * pose(place);
+  }
+
+  [[nodiscard]] std::vector<LoopCandidate> loops_of_newest() const {
+    std::vector<LoopCandidate> newest;
+    for (const LoopCandidate& loop : loops_of(map_->candidates())) {
+      if (loop.to == poses_.size() - 1) newest.push_back(loop);
+    }
+    return newest;
+  }
+
+  static constexpr int kPoints = 2000;
+  static constexpr double kCosTheta = 0.5;  // of the links: less than of the same image twice
+  SyntheticFrames walk_{small_camera(320, 240)};
+  std::unique_ptr<KeyframeMap> map_;
+  std::vector<SE3> poses_;
+  int segment_ = 0;
+};
+
+TEST_F(LoopsOfAMap, APlaceSeenBeforeIsAnEdge) {
+  make_map(loop_options());
+  walk(6);
+  add(place(1), pose(place(1)));
+  const auto loops = loops_of_newest();
+  ASSERT_EQ(accepted(loops), 1U) << (loops.empty() ? "" : loops[0].reason);
+  EXPECT_EQ(loops[0].from, 1U);
+  EXPECT_GT(loops[0].inliers, 25U);
+  EXPECT_GT(loops[0].score, 0);
+  EXPECT_GT(loops[0].overlap, 0.9) << "the same image";
+  const PoseGraphEdge& edge = map_->graph().edges().back();
+  EXPECT_EQ(edge.kind, EdgeKind::kLoop);
+  EXPECT_TRUE(edge.robust);
+  EXPECT_EQ(map_->statistics().full_solves, 1);
+}
+
+TEST_F(LoopsOfAMap, ALookAlikeIsRefusedByTheGraph) {
+  make_map(loop_options());
+  walk(6);
+  add(place(1), look_alike(place(1)));
+  const auto loops = loops_of_newest();
+  ASSERT_FALSE(loops.empty());
+  EXPECT_GT(loops[0].inliers, 25U) << "the images say that it is the same place";
+  EXPECT_EQ(accepted(loops), 0U);
+  EXPECT_THAT(loops[0].reason, HasSubstr("standard deviations from the graph"));
+  EXPECT_NEAR(loops[0].correction_translation, kCorridor, 0.1);
+  EXPECT_EQ(map_->graph().edges().size(), map_->graph().nodes().size() - 1);
+  EXPECT_EQ(map_->statistics().full_solves, 0);
+}
+
+TEST_F(LoopsOfAMap, WhatTheOptimisedGraphContradictsIsTakenBack) {
+  SlamOptions options = loop_options();
+  options.loops.pair.max_error = 1e6;  // so that it becomes an edge at all
+  make_map(options);
+  walk(6);
+  add(place(1), pose(place(1)));
+  ASSERT_EQ(accepted(loops_of_newest()), 1U);
+  add(place(2), look_alike(place(2)));
+  const auto wrong = loops_of_newest();
+  ASSERT_FALSE(wrong.empty());
+  EXPECT_THAT(wrong[0].reason, HasSubstr("taken back"));
+  EXPECT_EQ(accepted(loops_of(map_->candidates())), 1U) << "the right one stays";
+  EXPECT_EQ(map_->graph().edges().size(), map_->graph().nodes().size());
+  // Links and images are exact but for what CVO finds in them, well below a pixel at 2 m.
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const SE3& T_world_camera = map_->graph().nodes()[i].T_world_node;
+    EXPECT_LT((T_world_camera.translation() - poses_[i].translation()).norm(), 0.008) << i;
+  }
+}
+
+TEST_F(LoopsOfAMap, OtherSegmentsAreNotJoined) {
+  make_map(loop_options());
+  walk(6);
+  add(place(1), pose(place(1)), 1);
+  const auto loops = loops_of_newest();
+  ASSERT_FALSE(loops.empty());
+  EXPECT_EQ(accepted(loops), 0U);
+  EXPECT_THAT(loops[0].reason, HasSubstr("another segment"));
+}
+
+/// There and back again.
+constexpr std::size_t kTurn = 24;
+constexpr std::size_t kFrames = 2 * kTurn + 1;
+
+class LoopsOfAWalk : public testing::Test {
+ protected:
+  LoopsOfAWalk() {
+    tracker_.keyframe = {.min_overlap = 0, .max_translation = 0.05, .max_rotation = 0.06};
+  }
+
+  static std::size_t place(std::size_t index) { return index <= kTurn ? index : 2 * kTurn - index; }
+  static void SetUpTestSuite() {
+    const SyntheticFrames walk{small_camera(320, 240)};
+    for (std::size_t i = 0; i < kFrames; ++i) frames_.push_back(walk.frame(i, place(i)));
+  }
+  static void TearDownTestSuite() { frames_.clear(); }
+
+  [[nodiscard]] Slam run() const {
+    Slam slam(small_camera(320, 240), tracker_, slam_);
+    for (const RgbdFrame& frame : frames_) slam.track(frame);
+    slam.finish();
+    return slam;
+  }
+
+  static inline std::vector<RgbdFrame> frames_;
+  TrackerOptions tracker_ = tracker_test_options();
+  SlamOptions slam_ = loop_options();
+};
+
+TEST_F(LoopsOfAWalk, TheWayBackIsRecognisedAndCorrect) {
+  const Slam slam = run();
+  const SyntheticFrames walk{small_camera(320, 240)};
+  std::size_t loops = 0;
+  const PoseGraph graph = slam.pose_graph();
+  for (const PoseGraphEdge& edge : graph.edges()) {
+    if (edge.kind != EdgeKind::kLoop) continue;
+    ++loops;
+    const SE3 T_true = walk.T_first_camera(place(static_cast<std::size_t>(edge.from)),
+                                           place(static_cast<std::size_t>(edge.to)));
+    const SE3 error = T_true.inverse() * edge.T_from_to;
+    EXPECT_LT(error.translation().norm(), 0.008) << "a pixel at 2 m";
+    EXPECT_LT(error.angle(), 0.004) << "a pixel";
+  }
+  EXPECT_GT(loops, 0U);
+  EXPECT_EQ(loops, accepted(loops_of(slam.loop_candidates())));
+  for (const LoopCandidate& candidate : slam.loop_candidates()) {
+    EXPECT_EQ(candidate.accepted, candidate.reason.empty());
+  }
+}
+
+TEST_F(LoopsOfAWalk, AreNotLookedForUnlessEnabled) {
+  slam_.loops.enabled = false;
+  EXPECT_TRUE(run().loop_candidates().empty());
+}
+
+TEST_F(LoopsOfAWalk, AreTheSameAgainWithTwoThreadsAndPipelined) {
+  const Slam first = run();
+  const auto expect_equal = [&first](const Slam& other) {
+    for (const TrajectoryView view : {TrajectoryView::kFinal, TrajectoryView::kOnline}) {
+      const Trajectory a = first.trajectory(view);
+      const Trajectory b = other.trajectory(view);
+      ASSERT_EQ(a.poses.size(), b.poses.size());
+      for (std::size_t i = 0; i < a.poses.size(); ++i) {
+        EXPECT_EQ(a.poses[i].T_world_camera.matrix(), b.poses[i].T_world_camera.matrix()) << i;
+      }
+    }
+    const auto a = first.loop_candidates();
+    const auto b = other.loop_candidates();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_EQ(a[i].from, b[i].from);
+      EXPECT_EQ(a[i].error, b[i].error);
+      EXPECT_EQ(a[i].reason, b[i].reason);
+    }
+  };
+  tracker_.threads = slam_.optimizer.threads = 2;
+  expect_equal(run());
+  slam_.schedule = Schedule::kPipelined;
+  expect_equal(run());
+}
+
+// The caller may read the next frame into the same memory.
+TEST_F(LoopsOfAWalk, ImagesNeedNotOutliveTheCall) {
+  const Slam first = run();
+  slam_.schedule = Schedule::kPipelined;
+  Slam slam(small_camera(320, 240), tracker_, slam_);
+  for (const RgbdFrame& original : frames_) {
+    RgbdFrame frame = original;
+    frame.color = original.color.clone();
+    frame.depth = original.depth.clone();
+    slam.track(frame);
+    frame.color.setTo(0);
+    frame.depth.setTo(0);
+  }
+  slam.finish();
+  EXPECT_EQ(loops_of(slam.loop_candidates()).size(), loops_of(first.loop_candidates()).size());
+  EXPECT_EQ(slam.pose_graph().edges().size(), first.pose_graph().edges().size());
+}
+
+}  // namespace
+}  // namespace cvo_slam
