@@ -31,7 +31,7 @@ struct ProximityOptions {
   int near = 4;
   int min_gap = 5;
   double min_expected_overlap = 0.6;
-  PairOptions pair;
+  PairOptions pair = {};
 };
 
 /// Whether and how places that were seen before are recognised by their images.
