@@ -69,7 +69,8 @@ BENCHMARK(load_vocabulary)->Unit(benchmark::kMillisecond);
 void transform_1000_descriptors(benchmark::State& state) {
   const auto vocabulary = builtin_vocabulary();
   const auto descriptors = random_descriptors(kFeatures);
-  for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(vocabulary->transform(descriptors, 1));
+  for ([[maybe_unused]] auto iteration : state)
+    benchmark::DoNotOptimize(vocabulary->transform(descriptors, 1));
 }
 BENCHMARK(transform_1000_descriptors)->Unit(benchmark::kMillisecond);
 
@@ -94,7 +95,8 @@ void query_10000_keyframes(benchmark::State& state) {
   KeyframeDatabase database(words);
   for (std::size_t i = 0; i < kKeyframes; ++i) database.add(random_bag(words, kFeatures, engine));
   const BagOfWords bag = random_bag(words, kFeatures, engine);
-  for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(database.query(bag, kKeyframes));
+  for ([[maybe_unused]] auto iteration : state)
+    benchmark::DoNotOptimize(database.query(bag, kKeyframes));
   state.counters["bytes_a_keyframe"] = static_cast<double>(database.bytes()) / kKeyframes;
 }
 BENCHMARK(query_10000_keyframes)->Unit(benchmark::kMillisecond);
@@ -115,7 +117,8 @@ BENCHMARK(match_1000_with_1000_one_by_one)->Unit(benchmark::kMillisecond);
 void extract_features(benchmark::State& state) {
   const RgbdFrame frame = house_frame(1);
   const Camera camera = synthetic::synthetic_camera(640, 480);
-  for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(extract_orb(frame, camera));
+  for ([[maybe_unused]] auto iteration : state)
+    benchmark::DoNotOptimize(extract_orb(frame, camera));
 }
 BENCHMARK(extract_features)->Unit(benchmark::kMillisecond);
 
