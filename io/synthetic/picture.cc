@@ -15,23 +15,26 @@ namespace {
 class VisibleRows {
  public:
   VisibleRows(int width, int height)
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(kRows * width)) {}
+      : width_(width),
+        height_(height),
+        pixels_(static_cast<std::size_t>(kRows * width)),
+        even_(pixels_.size()) {}
 
   void look(const View& view, int y) {
     for (int x = 0; x < width_; ++x) pixels_[index(x, y)] = view.look(x, y);
+    for (int x = 0; x < width_; ++x) {
+      const Visible& center = at(x, y);
+      even_[index(x, y)] = (x == 0 || center.same_surface(at(x - 1, y))) &&
+                           (x + 1 == width_ || center.same_surface(at(x + 1, y)));
+    }
   }
 
   [[nodiscard]] const Visible& at(int x, int y) const { return pixels_[index(x, y)]; }
 
   /// True where one of the eight neighbours shows another surface.
   [[nodiscard]] bool on_rim(int x, int y) const {
-    const Visible& center = at(x, y);
-    for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
-      for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
-        if (!center.same_surface(at(u, v))) return true;
-      }
-    }
-    return false;
+    return !even_[index(x, y)] || (y > 0 && differs(x, y, y - 1)) ||
+           (y + 1 < height_ && differs(x, y, y + 1));
   }
 
  private:
@@ -40,10 +43,16 @@ class VisibleRows {
            static_cast<std::size_t>(x);
   }
 
+  /// True where one of the three pixels about x in the `other` row shows another surface.
+  [[nodiscard]] bool differs(int x, int y, int other) const {
+    return !even_[index(x, other)] || !at(x, y).same_surface(at(x, other));
+  }
+
   static constexpr int kRows = 3;
   int width_;
   int height_;
   std::vector<Visible> pixels_;
+  std::vector<char> even_;  ///< the pixel and those to its left and right show one surface
 };
 
 struct Sample {

@@ -53,12 +53,12 @@ const char* extension(ImageFormat format) { return format == ImageFormat::kPng ?
 
 void write_image(const std::filesystem::path& file, const cv::Mat& image) {
   constexpr int kJpegQuality = 95;
-  // The lowest level: 40 % larger files than the highest in a tenth of the time.
-  constexpr int kPngLevel = 1;
   std::vector<unsigned char> bytes;
-  const bool encoded = cv::imencode(
-      file.extension().string(), image, bytes,
-      {cv::IMWRITE_JPEG_QUALITY, kJpegQuality, cv::IMWRITE_PNG_COMPRESSION, kPngLevel});
+  // Without a level OpenCV tries one row filter only: 5 % larger than the lowest level that can be
+  // named, in two thirds of its time; and that is 40 % larger than the highest in a tenth.
+  const bool encoded = cv::imencode(file.extension().string(), image, bytes,
+                                    {cv::IMWRITE_JPEG_QUALITY, kJpegQuality,
+                                     cv::IMWRITE_PNG_STRATEGY, cv::IMWRITE_PNG_STRATEGY_DEFAULT});
   if (!encoded) throw OutputError(file, "cannot be encoded; is OpenCV built with this format?");
   write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
@@ -219,6 +219,7 @@ SequenceSummary write_sequence(const std::filesystem::path& folder, const Sequen
   // Frames are independent; batches only serve to report progress from this thread.
   const Executor executor(threads);
   const std::size_t total = recorder.frames();
+  if (progress) progress(0, total);
   const auto batch = 4 * static_cast<std::size_t>(executor.threads());
   for (std::size_t first = 0; first < total; first += batch) {
     const std::size_t count = std::min(batch, total - first);

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace cvo_slam::synthetic {
 
+inline constexpr std::size_t kMaxOctaves = 8;
+
 /// Octaves of value noise: random values on a lattice, interpolated smoothly.
 struct Octaves {
   double largest = 0.5;      ///< lattice spacing of the first octave [m]
-  int count = 6;             ///< each octave halves the spacing
+  std::size_t count = 6;     ///< at most kMaxOctaves; each octave halves the spacing
   double persistence = 0.6;  ///< amplitude ratio of successive octaves
 };
 
