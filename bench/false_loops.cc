@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// false_loops [graph.g2o]: what false loops do to a graph under each loss, as the table of
-// docs/backend.md. Without a file the graph is the one of the tests, whose true poses are known.
+// false_loops [graph.g2o | folder of a run  groundtruth.txt]: what false loops do to a graph under
+// each loss, as the tables of docs/backend.md. Without arguments the graph is the one of the tests,
+// whose true poses are known; a file's is compared with its optimum without false loops, a run's
+// (ATE of its keyframes) with the ground truth.
 #include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,7 +16,10 @@
 
 #include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/bench/graph_samples.h"
+#include "cvo_slam/core/absolute_trajectory_error.h"
+#include "cvo_slam/core/association.h"
 #include "cvo_slam/io/g2o.h"
+#include "cvo_slam/io/tum_trajectory.h"
 
 namespace cvo_slam {
 namespace {
@@ -22,19 +30,44 @@ constexpr unsigned kSeed = 1;
 constexpr int kMostIterations = 20;
 
 struct Case {
-  PoseGraph graph;             // without false loops
-  std::vector<SE3> reference;  // the true poses or, of a file, the optimum without false loops
+  PoseGraph graph;                                // without false loops
+  std::function<double(const PoseGraph&)> error;  // [m]
 };
 
-Case make_case(int argc, char** argv) {
-  if (argc < 2) {
-    SampleGraph sample = make_rounds(100, kSeed);
-    return {std::move(sample.graph), std::move(sample.truth)};
-  }
-  PoseGraph graph = read_g2o(argv[1]);
+Case compared_with(PoseGraph graph, std::vector<SE3> reference) {
+  return {std::move(graph), [reference = std::move(reference)](const PoseGraph& estimate) {
+            return position_rmse(estimate, reference);
+          }};
+}
+
+Case made_up() {
+  SampleGraph sample = make_rounds(100, kSeed);
+  return compared_with(std::move(sample.graph), std::move(sample.truth));
+}
+
+Case published(const std::filesystem::path& file) {
+  PoseGraph graph = read_g2o(file);
   PoseGraph optimum = graph;
   optimize(optimum);
-  return {std::move(graph), poses_of(optimum)};
+  return compared_with(std::move(graph), poses_of(optimum));
+}
+
+/// The nodes of a run's graph are the lines of its keyframes.txt, in this order.
+Case of_run(const std::filesystem::path& folder, const std::filesystem::path& ground_truth) {
+  const auto error = [keyframes = read_tum(folder / "keyframes.txt"),
+                      truth = read_tum(ground_truth)](const PoseGraph& graph) {
+    std::vector<StampedPose> estimate = keyframes;
+    for (std::size_t i = 0; i < estimate.size(); ++i) {
+      estimate[i].T_world_camera = graph.nodes()[i].T_world_node;
+    }
+    return absolute_trajectory_error(associate(truth, estimate)).statistics.translation.rmse;
+  };
+  return {read_g2o(folder / "graph.g2o"), error};
+}
+
+Case make_case(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return made_up();
+  return arguments.size() == 1 ? published(arguments[0]) : of_run(arguments[0], arguments[1]);
 }
 
 void print_row(const Case& of, double share, const char* name, RobustLoss loss) {
@@ -45,14 +78,13 @@ void print_row(const Case& of, double share, const char* name, RobustLoss loss) 
   std::size_t lost = 0;
   for (std::size_t i = 0; i < genuine; ++i) lost += summary.weights[i] < 0.5 ? 1 : 0;
   fmt::print("| {:.0f} % ({}) | {} | {:.4f} | {} of {} | {} | {} | {:.2f} |\n", 100 * share,
-             graph.edges().size() - genuine, name, position_rmse(graph, of.reference),
-             summary.rejected_edges() - lost, graph.edges().size() - genuine, lost,
-             summary.iterations, summary.seconds);
+             graph.edges().size() - genuine, name, of.error(graph), summary.rejected_edges() - lost,
+             graph.edges().size() - genuine, lost, summary.iterations, summary.seconds);
   std::fflush(stdout);
 }
 
 int main(int argc, char** argv) {
-  const Case of = make_case(argc, argv);
+  const Case of = make_case({argv + 1, argv + argc});
   fmt::print("| false loops | loss | error [m] | found | genuine rejected | iterations | s |\n");
   fmt::print("|---|---|---|---|---|---|---|\n");
   for (const double share : {0.0, 0.1, 0.2, 0.4}) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -98,11 +99,28 @@ PoseGraphEdge parse_edge(Words& words) {
   edge.to = words.id();
   edge.T_from_to = words.pose();
   edge.information = words.symmetric_matrix();
-  if (edge.to != edge.from + 1) {
-    edge.kind = EdgeKind::kLoop;
-    edge.robust = true;
-  }
   return edge;
+}
+
+bool joins_successive_nodes(const PoseGraphEdge& edge, const std::set<NodeId>& ids) {
+  const auto next = ids.upper_bound(edge.from);
+  return next != ids.end() && *next == edge.to;
+}
+
+/// The same graph, where edges that do not join a node to the next one are loops.
+PoseGraph with_kinds(const PoseGraph& graph) {
+  std::set<NodeId> ids;
+  PoseGraph result;
+  for (const PoseGraphNode& node : graph.nodes()) {
+    ids.insert(node.id);
+    result.add_node(node);
+  }
+  for (PoseGraphEdge edge : graph.edges()) {
+    edge.robust = !joins_successive_nodes(edge, ids);
+    edge.kind = edge.robust ? EdgeKind::kLoop : EdgeKind::kOdometry;
+    result.add_edge(edge);
+  }
+  return result;
 }
 
 void fix(PoseGraph& graph, Words& words) {
@@ -185,7 +203,7 @@ PoseGraph read_g2o(const std::filesystem::path& file) {
   if (graph.nodes().empty()) {
     throw InputError(file, fmt::format("no {} in it; is it a pose graph?", kVertex));
   }
-  return graph;
+  return with_kinds(graph);
 }
 
 void write_g2o(const std::filesystem::path& file, const PoseGraph& graph) {

@@ -18,8 +18,8 @@ namespace cvo_slam {
 ///
 /// in any order; '#' starts a comment. Matrices are taken as they stand, neither permuted nor
 /// scaled: it is the residual (pose_graph_cost.h) that says what they are the information of.
-/// The format does not know kinds of edges: from i to i + 1 is taken for odometry, and any other
-/// edge for a loop, which may be wrong (robust).
+/// The format does not know kinds of edges: from a vertex to the one with the next larger id is
+/// taken for odometry, and any other edge for a loop, which may be wrong (robust).
 ///
 /// Throws InputError, with the number of the line, for an unknown entry (and says so of planar
 /// graphs), a wrong number of values, a value that is not a finite number, a quaternion of length

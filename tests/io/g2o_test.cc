@@ -63,6 +63,18 @@ TEST_F(G2o, OnlyEdgesToTheNextVertexAreOdometry) {
   EXPECT_TRUE(graph.edges()[1].robust);
 }
 
+TEST_F(G2o, TheNextVertexIsTheOneWithTheNextLargerId) {
+  const std::string end = " " + kPose + kUnitInformation + "\n";
+  const PoseGraph graph = read(
+      "VERTEX_SE3:QUAT 8 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
+      "VERTEX_SE3:QUAT 5 0 0 0 0 0 0 1\n"
+      "EDGE_SE3:QUAT 0 5" +
+      end + "EDGE_SE3:QUAT 5 8" + end + "EDGE_SE3:QUAT 0 8" + end);
+  EXPECT_EQ(graph.edges()[0].kind, EdgeKind::kOdometry);
+  EXPECT_EQ(graph.edges()[1].kind, EdgeKind::kOdometry);
+  EXPECT_EQ(graph.edges()[2].kind, EdgeKind::kLoop);
+}
+
 TEST_F(G2o, InformationIsTheUpperTriangleByRows) {
   // Diagonally dominant, and each value tells its place: row r, column c is rc of two digits.
   std::string values;
