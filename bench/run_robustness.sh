@@ -56,7 +56,7 @@ track() {
 # The middle one of the rows' numbers in a column, and for how many runs success was declared.
 # summary <name> <system> <mm> <deg> reads <name>_*.rows.
 summary() {
-  cat "$folder/$1"_[0-9]*.rows | awk -F '|' -v system="$2" -v mm="$3" -v deg="$4" '
+  cat "$folder/$1"_[0-9]*.rows | awk -F '|' -v wanted="$2" -v mm="$3" -v deg="$4" '
     function median(list, n,   i, j, held) {
       for (i = 2; i <= n; ++i) {
         held = list[i]
@@ -66,7 +66,7 @@ summary() {
       return n % 2 ? list[(n + 1) / 2] : (list[n / 2] + list[n / 2 + 1]) / 2
     }
     { gsub(/ /, "", $2) }
-    $2 == system {
+    $2 == wanted {
       ++n; t[n] = $3 + 0; r[n] = $4 + 0; a[n] = $7 ~ /-/ ? 1e9 : $7 + 0; lost += $8
       if ($8 + 0 == 0 && $3 + 0 <= mm && $4 + 0 <= deg) ++good
     }
