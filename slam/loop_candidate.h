@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/loop/loop_verifier.h"
 
 namespace cvo_slam {
 
@@ -19,6 +21,7 @@ struct LoopCandidate {
   double score = 0;
   double normalized_score = 0;
   std::size_t inliers = 0;
+  std::vector<PixelPair> pixels;  ///< of those features, a = from, b = to (Verification)
   double expected_overlap = 0;  ///< by the poses of the graph; of a near one
   double overlap = 0;           ///< the lower one of the two registrations
   double cos_theta = 0;         ///< likewise
