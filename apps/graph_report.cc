@@ -29,8 +29,8 @@ auto accepted(const std::vector<LoopCandidate>& candidates) {
 
 }  // namespace
 
-std::string_view name_of(EdgeKind kind) {
-  switch (kind) {
+std::string_view name_of(const LoopCandidate& candidate) {
+  switch (candidate.kind) {
     case EdgeKind::kOdometry:
       return "odometry";
     case EdgeKind::kProximity:
@@ -92,9 +92,9 @@ std::string loops_csv(const std::vector<LoopCandidate>& candidates) {
       "correction_rad,standard_deviations,verdict,reason\n";
   for (const LoopCandidate& c : candidates) {
     csv += fmt::format(
-        "{},{},{},{},{:.2f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{},{}\n",
-        name_of(c.kind), c.from, c.to, recognition_fields(c), c.expected_overlap, c.overlap,
-        c.cos_theta, c.round_trip_translation, c.round_trip_rotation, c.correction_translation,
+        "{},{},{},{},{:.2f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{},{}\n", name_of(c),
+        c.from, c.to, recognition_fields(c), c.expected_overlap, c.overlap, c.cos_theta,
+        c.round_trip_translation, c.round_trip_rotation, c.correction_translation,
         c.correction_rotation, c.error, c.accepted ? "accepted" : "rejected", csv_quoted(c.reason));
   }
   return csv;

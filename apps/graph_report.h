@@ -17,8 +17,8 @@ namespace cvo_slam {
 /// A text as a field of a CSV file.
 [[nodiscard]] std::string csv_quoted(const std::string& text);
 
-/// How a candidate was found: "odometry", "proximity" or, by a bag of words, "bow".
-[[nodiscard]] std::string_view name_of(EdgeKind kind);
+/// How a candidate was found: "proximity" or, by a bag of words, "bow".
+[[nodiscard]] std::string_view name_of(const LoopCandidate& candidate);
 
 [[nodiscard]] std::size_t edges_of_kind(const PoseGraph& graph, EdgeKind kind);
 

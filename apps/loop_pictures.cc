@@ -19,9 +19,8 @@ namespace cvo_slam {
 namespace {
 
 constexpr const char* kFolder = "loops";
-constexpr int kFileWidth = 1296;  // [px]: two images of a Kinect as they are
-constexpr int kPageWidth = 900;   // [px]
-constexpr int kPageQuality = 80;  // of the JPEG: 60 to 90 kB a picture
+constexpr int kWidth = 900;       // [px]; with that of a Kinect's images a file is 1 MB
+constexpr int kJpegQuality = 80;  // 60 to 90 kB a picture
 
 std::string_view verdict_of(const LoopCandidate& candidate) {
   return candidate.accepted ? "accepted" : "rejected";
@@ -110,13 +109,13 @@ LoopGallery write_loop_pictures(const std::filesystem::path& folder, const Datas
     const LoopCandidate& c = candidates[i];
     const cv::Mat older = images.older(c.from);
     const cv::Mat newer = images.newer(c.to);
+    const cv::Mat picture = draw_matches(older, newer, c.pixels, kWidth);
     const auto name = fmt::format("{}_{:06}_{:06}.png", verdict_of(c), c.from, c.to);
-    write_file(folder / kFolder / name,
-               encoded(".png", draw_matches(older, newer, c.pixels, kFileWidth), {}));
+    write_file(folder / kFolder / name, encoded(".png", picture, {}));
     ++gallery.files;
     if (!on_page.contains(i)) continue;
-    const cv::Mat small = draw_matches(older, newer, c.pixels, kPageWidth);
-    gallery.chosen.push_back({c, encoded(".jpg", small, {cv::IMWRITE_JPEG_QUALITY, kPageQuality})});
+    gallery.chosen.push_back(
+        {c, encoded(".jpg", picture, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality})});
   }
   return gallery;
 }

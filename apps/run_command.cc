@@ -168,9 +168,9 @@ void add_run_command(CLI::App& app, Action& action) {
                                                              {"all", LoopPictures::kAll}};
   command
       ->add_option("--loop-pictures", arguments->loop_pictures,
-                   "Recognised places of which the folder loops gets a picture (default accepted)")
-      ->transform(CLI::CheckedTransformer(loop_pictures))
-      ->option_text("none|accepted|all");
+                   "none, accepted or all: the recognised places whose images are drawn into the "
+                   "folder loops (default accepted)")
+      ->transform(CLI::CheckedTransformer(loop_pictures).description(""));
   command->add_flag("--quiet", arguments->quiet, "No progress, no table");
   command->add_flag("--json", arguments->json, "Print the report as JSON in place of the table");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });

@@ -24,9 +24,9 @@ constexpr std::array kFiles = {
     RunFile{"map.ply", "the map's points with colours and normals"},
     RunFile{"map.png", "the map with the path"},
     RunFile{"trajectory.png", "the path from above, in front and aside"},
-    RunFile{"trajectory.svg", "the same, to scale"},
+    RunFile{"trajectory.svg", "the same by its lines"},
     RunFile{"errors.png", "errors over time"},
-    RunFile{"errors.svg", "the same, to scale"},
+    RunFile{"errors.svg", "the same by its lines"},
     RunFile{"config.yaml", "the options of this run, for --config"},
 };
 

@@ -29,16 +29,9 @@ std::string verdict_table(const std::vector<LoopCandidate>& candidates) {
                      {"candidates", Cell::kNumber},
                      {"accepted", Cell::kNumber},
                      {"rejected", Cell::kNumber}});
-  for (const EdgeKind kind : {EdgeKind::kProximity, EdgeKind::kLoop}) {
-    std::size_t all = 0;
-    std::size_t accepted = 0;
-    for (const LoopCandidate& candidate : candidates) {
-      if (candidate.kind != kind) continue;
-      ++all;
-      accepted += candidate.accepted ? 1 : 0;
-    }
-    table.add({std::string(name_of(kind)), fmt::to_string(all), fmt::to_string(accepted),
-               fmt::to_string(all - accepted)});
+  for (const VerdictCount& count : count_verdicts(candidates)) {
+    table.add({count.found_by, fmt::to_string(count.accepted + count.rejected),
+               fmt::to_string(count.accepted), fmt::to_string(count.rejected)});
   }
   return table.content();
 }
@@ -46,7 +39,7 @@ std::string verdict_table(const std::vector<LoopCandidate>& candidates) {
 std::string reason_table(const std::vector<LoopCandidate>& candidates) {
   html::Table table({{"found by"}, {"rejected", Cell::kNumber}, {"because"}});
   for (const ReasonCount& reason : count_reasons(candidates)) {
-    table.add({std::string(name_of(reason.kind)), fmt::to_string(reason.count), reason.reason});
+    table.add({reason.found_by, fmt::to_string(reason.count), reason.reason});
   }
   return table.empty() ? "" : table.content();
 }
@@ -55,10 +48,22 @@ std::string loop_caption(const LoopCandidate& c) {
   const auto who = fmt::format("Frames {} and {}, {} inliers. ", c.from, c.to, c.inliers);
   if (!c.accepted) return who + "Rejected: " + c.reason + ".";
   return who + fmt::format(
-                   "CVO: overlap {:.2f}, cos_theta {:.2f}. Corrected the graph by {}, {:.2f} "
-                   "deg.",
+                   "Accepted: CVO overlap {:.2f}, cos_theta {:.2f}; corrected the graph by "
+                   "{}, {:.2f} deg.",
                    c.overlap, c.cos_theta, length_text(c.correction_translation),
                    kDegrees * c.correction_rotation);
+}
+
+std::string loop_figures(const std::vector<PicturedLoop>& loops, bool accepted) {
+  std::string figures;
+  for (const PicturedLoop& loop : loops) {
+    const LoopCandidate& candidate = loop.candidate;
+    if (candidate.accepted != accepted) continue;
+    const auto alternative =
+        fmt::format("Frames {} and {} with their inlier matches", candidate.from, candidate.to);
+    figures += html::figure(html::jpeg_image(loop.jpeg, alternative), loop_caption(candidate));
+  }
+  return figures.empty() ? "" : html::element("div", figures, R"(class="gallery")");
 }
 
 /// How the pictures were chosen.
@@ -67,7 +72,8 @@ std::string gallery_text(const LoopGallery& gallery) {
       "Each line joins what both images show at the same place, by their ORB features.";
   if (gallery.chosen.size() == gallery.files) return kWhat;
   return fmt::format(
-      "{} of {} pictures; {} were left out. Here are those that corrected the graph most; all are "
+      "{} of {} pictures: the loops that corrected the graph most. The {} that are left out here "
+      "are "
       "in the folder loops. {}",
       gallery.chosen.size(), gallery.files, gallery.files - gallery.chosen.size(), kWhat);
 }
@@ -95,16 +101,10 @@ std::string loops_section(const RunReport& report, const RunPictures& pictures) 
                           : "No loop was closed.";
     return html::section("loops", "Loops", html::paragraph(why));
   }
-  std::string figures;
-  for (const PicturedLoop& loop : gallery.chosen) {
-    figures += html::figure(
-        html::jpeg_image(loop.jpeg, fmt::format("Frames {} and {} with their inlier matches",
-                                                loop.candidate.from, loop.candidate.to)),
-        loop_caption(loop.candidate));
-  }
-  return html::section(
-      "loops", "Loops",
-      html::paragraph(gallery_text(gallery)) + html::element("div", figures, R"(class="gallery")"));
+  std::string content = html::paragraph(gallery_text(gallery)) + loop_figures(gallery.chosen, true);
+  const std::string rejected = loop_figures(gallery.chosen, false);
+  if (!rejected.empty()) content += html::element("h3", "Rejected") + rejected;
+  return html::section("loops", "Loops", content);
 }
 
 }  // namespace cvo_slam

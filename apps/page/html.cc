@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/base64.h"
 
 namespace cvo_slam::html {
 namespace {
@@ -53,22 +54,6 @@ std::string_view escaped_ascii(const char& c) {
                  ? kReplacement
                  : std::string_view(&c, 1);
   }
-}
-
-/// RFC 4648.
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto group = static_cast<std::uint32_t>(
-        byte_at(bytes, i) << 16 | byte_at(bytes, i + 1) << 8 | byte_at(bytes, i + 2));
-    for (const unsigned shift : {18U, 12U, 6U, 0U}) text += kDigits[group >> shift & 63U];
-  }
-  const std::size_t padding = (3 - bytes.size() % 3) % 3;
-  text.replace(text.size() - padding, padding, padding, '=');
-  return text;
 }
 
 std::string_view class_of(Cell kind) {
@@ -118,7 +103,7 @@ std::string figure(std::string_view content, std::string_view caption) {
 }
 
 std::string data_uri(std::string_view media_type, std::string_view bytes) {
-  return fmt::format("data:{};base64,{}", media_type, base64(bytes));
+  return fmt::format("data:{};base64,{}", media_type, to_base64(bytes));
 }
 
 std::string jpeg_image(std::string_view bytes, std::string_view alternative) {

@@ -14,28 +14,29 @@ namespace {
 
 using html::Cell;
 
-html::Table option_table() {
-  return html::Table({{"option", Cell::kCode},
-                      {"value", Cell::kCode},
-                      {"default", Cell::kCode},
-                      {"unit"},
-                      {"what it is"}});
-}
-
 }  // namespace
 
 std::string options_section(const RunReport& report) {
   ProgramOptions used = report.options;
   ProgramOptions defaults;
   const OptionSet default_set = describe(defaults);
-  html::Table changed = option_table();
-  html::Table unchanged = option_table();
+  html::Table changed({{"option", Cell::kCode},
+                       {"value", Cell::kCode},
+                       {"default", Cell::kCode},
+                       {"unit"},
+                       {"what it is"}});
+  html::Table unchanged(
+      {{"option", Cell::kCode}, {"value", Cell::kCode}, {"unit"}, {"what it is"}});
   std::size_t count = 0;
   for (const Option& option : describe(used).options()) {
     const std::string value = option.get();
     const std::string usual = default_set.get(option.key);
-    if (value != usual) ++count;
-    (value == usual ? unchanged : changed).add({option.key, value, usual, option.unit, option.doc});
+    if (value == usual) {
+      unchanged.add({option.key, value, option.unit, option.doc});
+    } else {
+      changed.add({option.key, value, usual, option.unit, option.doc});
+      ++count;
+    }
   }
   std::string content =
       count == 0 ? html::paragraph("All options are the defaults.")

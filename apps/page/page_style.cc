@@ -32,11 +32,8 @@ h3 { margin: 2rem 0 0.6rem; font-size: 1rem; }
 p, ul { margin: 0 0 1rem; max-width: 46rem; overflow-wrap: anywhere; }
 section { margin-top: 2.8rem; padding-top: 1.6rem; border-top: 1px solid var(--line); }
 a { color: var(--link); }
-.tiles {
-  display: grid; grid-template-columns: repeat(auto-fit, minmax(9.5rem, 1fr)); gap: 0.75rem;
-  margin: 1.8rem 0 0;
-}
-.tiles div { padding: 0.8rem 1rem; background: var(--field); border-radius: 6px; }
+.tiles { display: flex; flex-wrap: wrap; gap: 0.75rem; margin: 1.8rem 0 0; }
+.tiles div { flex: 1 1 14rem; padding: 0.8rem 1rem; background: var(--field); border-radius: 6px; }
 .tiles dt { font-size: 0.85rem; color: var(--soft); }
 .tiles dd { margin: 0; font-size: 0.85rem; color: var(--soft); }
 .tiles b {
@@ -62,6 +59,7 @@ td { border-bottom: 1px solid var(--line); }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .code { font-family: ui-monospace, "DejaVu Sans Mono", Consolas, monospace; font-size: 0.82rem;
   white-space: nowrap; }
+th.code { font: inherit; font-weight: 500; }
 details { margin-bottom: 1.6rem; }
 summary { cursor: pointer; color: var(--link); margin-bottom: 0.8rem; }
 .files { padding: 0; list-style: none; font-size: 0.9rem; }
@@ -78,7 +76,7 @@ footer { margin-top: 3rem; font-size: 0.85rem; color: var(--soft); }
   figure svg { min-width: 0; }
   .scroll, figure .frame { overflow: visible; }
   .tiles div { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-  .tiles { grid-template-columns: repeat(4, 1fr); }
+  .tiles div { flex-basis: 20%; }
   .gallery { grid-template-columns: 1fr 1fr; gap: 0.6rem; }
   .code { white-space: normal; overflow-wrap: anywhere; }
   a { text-decoration: none; }

@@ -20,10 +20,9 @@ std::string map_picture(const RunReport& report, const cv::Mat& picture) {
   if (picture.empty()) {
     return html::paragraph("No picture of the map: none was asked for, or there was no keyframe.");
   }
-  const auto caption = fmt::format(
-      "{} points of {} keyframes, and the camera's path, coloured by time; drawn by {}.",
-      fmt::group_digits(report.map.map.points.size()), report.map.map.keyframes.size(),
-      report.map.renderer);
+  const auto caption =
+      fmt::format("{} points of {} keyframes, and the camera's path, coloured by time.",
+                  fmt::group_digits(report.map.map.points.size()), report.map.map.keyframes.size());
   return html::figure(html::jpeg_image(picture, "The map with the camera's path"), caption);
 }
 

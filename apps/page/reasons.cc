@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "cvo_slam/apps/graph_report.h"
+
 namespace cvo_slam {
 namespace {
 
@@ -49,16 +51,32 @@ std::vector<LostSpan> lost_spans(const std::vector<FrameRecord>& records,
   return spans;
 }
 
+std::vector<VerdictCount> count_verdicts(const std::vector<LoopCandidate>& candidates) {
+  std::map<std::string_view, VerdictCount> counts;
+  for (const LoopCandidate& candidate : candidates) {
+    VerdictCount& count = counts[name_of(candidate)];
+    ++(candidate.accepted ? count.accepted : count.rejected);
+  }
+  std::vector<VerdictCount> result;
+  for (auto& [name, count] : counts) {
+    count.found_by = name;
+    result.push_back(count);
+  }
+  return result;
+}
+
 std::vector<ReasonCount> count_reasons(const std::vector<LoopCandidate>& candidates) {
-  std::map<std::pair<EdgeKind, std::string>, std::size_t> counts;
+  std::map<std::pair<std::string_view, std::string>, std::size_t> counts;
   for (const LoopCandidate& candidate : candidates) {
     if (candidate.accepted) continue;
-    ++counts[{candidate.kind, without_figures(candidate.reason)}];
+    ++counts[{name_of(candidate), without_figures(candidate.reason)}];
   }
   std::vector<ReasonCount> result;
-  for (const auto& [key, count] : counts) result.push_back({key.first, key.second, count});
+  for (const auto& [key, count] : counts) {
+    result.push_back({std::string(key.first), key.second, count});
+  }
   std::stable_sort(result.begin(), result.end(), [](const ReasonCount& a, const ReasonCount& b) {
-    return std::tuple(a.kind, b.count) < std::tuple(b.kind, a.count);
+    return std::tie(a.found_by, b.count) < std::tie(b.found_by, a.count);
   });
   return result;
 }

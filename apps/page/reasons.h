@@ -30,14 +30,25 @@ struct LostSpan {
 [[nodiscard]] std::vector<LostSpan> lost_spans(const std::vector<FrameRecord>& records,
                                                const std::vector<LostFrame>& lost);
 
-/// How many candidates of each kind were not accepted, for which reason without its figures; the
-/// most frequent first within a kind.
+/// What became of the candidates that were found in one way.
+struct VerdictCount {
+  std::string found_by;  ///< as in loops.csv
+  std::size_t accepted = 0;
+  std::size_t rejected = 0;
+};
+
+[[nodiscard]] std::vector<VerdictCount> count_verdicts(
+    const std::vector<LoopCandidate>& candidates);
+
+/// How many candidates that were found in one way were not accepted, for which reason without its
+/// figures.
 struct ReasonCount {
-  EdgeKind kind = EdgeKind::kProximity;
+  std::string found_by;
   std::string reason;
   std::size_t count = 0;
 };
 
+/// The most frequent first, of each way.
 [[nodiscard]] std::vector<ReasonCount> count_reasons(const std::vector<LoopCandidate>& candidates);
 
 }  // namespace cvo_slam
