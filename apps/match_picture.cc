@@ -80,11 +80,11 @@ void draw_lines(const std::vector<Ends>& ends, cv::Mat& picture) {
 }
 
 void draw_points(const std::vector<Ends>& ends, cv::Mat& picture) {
-  constexpr int kRadius = 3;  // [px]
+  const int radius = std::clamp(picture.cols / 300, 1, 3);  // [px]
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (const cv::Point2f& end : {ends[i].a, ends[i].b}) {
-      cv::circle(picture, end, kRadius + 1, kWhite, cv::FILLED, cv::LINE_AA);
-      cv::circle(picture, end, kRadius, color_of(i), cv::FILLED, cv::LINE_AA);
+      cv::circle(picture, end, radius + 1, kWhite, cv::FILLED, cv::LINE_AA);
+      cv::circle(picture, end, radius, color_of(i), cv::FILLED, cv::LINE_AA);
     }
   }
 }

@@ -33,7 +33,7 @@ p, ul { margin: 0 0 1rem; max-width: 46rem; overflow-wrap: anywhere; }
 section { margin-top: 2.8rem; padding-top: 1.6rem; border-top: 1px solid var(--line); }
 a { color: var(--link); }
 .tiles { display: flex; flex-wrap: wrap; gap: 0.75rem; margin: 1.8rem 0 0; }
-.tiles div { flex: 1 1 14rem; padding: 0.8rem 1rem; background: var(--field); border-radius: 6px; }
+.tiles div { flex: 1 1 min(14rem, 40%); padding: 0.8rem 1rem; background: var(--field); border-radius: 6px; }
 .tiles dt { font-size: 0.85rem; color: var(--soft); }
 .tiles dd { margin: 0; font-size: 0.85rem; color: var(--soft); }
 .tiles b {
@@ -56,6 +56,7 @@ th, td { padding: 0.4rem 1.4rem 0.4rem 0; text-align: left; vertical-align: top;
 th { color: var(--soft); font-weight: 500; border-bottom: 1px solid var(--line);
   white-space: nowrap; }
 td { border-bottom: 1px solid var(--line); }
+td:first-child { min-width: 7.5rem; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .code { font-family: ui-monospace, "DejaVu Sans Mono", Consolas, monospace; font-size: 0.82rem;
   white-space: nowrap; }
@@ -69,7 +70,8 @@ footer { margin-top: 3rem; font-size: 0.85rem; color: var(--soft); }
   @page { margin: 14mm; }
   :root { --ink: #000000; --soft: #444444; --line: #cccccc; --paper: #ffffff; --field: #f4f4f4;
     --link: #000000; --bad: #b84400; }
-  body { max-width: none; padding: 0; font-size: 9.5pt; }
+  html { font-size: 9pt; }
+  body { max-width: none; padding: 0; }
   section { margin-top: 1.4rem; padding-top: 0.9rem; }
   h2, h3 { break-after: avoid; }
   figure, tr, .tiles div { break-inside: avoid; }
@@ -78,7 +80,6 @@ footer { margin-top: 3rem; font-size: 0.85rem; color: var(--soft); }
   .tiles div { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   .tiles div { flex-basis: 20%; }
   .gallery { grid-template-columns: 1fr 1fr; gap: 0.6rem; }
-  .code { white-space: normal; overflow-wrap: anywhere; }
   a { text-decoration: none; }
   details { display: none; }
 }
