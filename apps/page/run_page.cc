@@ -30,7 +30,7 @@ std::string head(const std::string& title) {
 std::string title(const RunReport& report) {
   const FrameRange& range = report.range;
   std::string frames = fmt::format("frames {} to {}", range.begin, range.end - 1);
-  if (range.step != 1) frames += fmt::format(", every {}.", range.step);
+  if (range.step != 1) frames += fmt::format(", one in {}", range.step);
   const auto line = fmt::format("{} · mode {} · {} · camera {}", report.data.kind(), report.mode,
                                 frames, report.data.camera().name);
   return html::element(
