@@ -141,7 +141,7 @@ int run(const RunArguments& arguments) {
 void add_run_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<RunArguments>();
   auto* command =
-      app.add_subcommand("run", "Track a sequence; write trajectory, figures and plots");
+      app.add_subcommand("run", "Track a sequence; write trajectory, map, plots and a report");
   arguments->tracking.add_to(*command);
   command
       ->add_option("--mode", arguments->mode,

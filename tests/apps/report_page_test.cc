@@ -155,6 +155,14 @@ TEST_F(ReportPage, IsTheSameAgainButForTimes) {
     return without_section(without_section(page(out), "cost"), "options");
   };
   EXPECT_EQ(results("threads"), results("first"));
+  std::size_t pictures = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(folder_.path() / "first" / "loops")) {
+    const auto other = folder_.path() / "threads" / "loops" / entry.path().filename();
+    EXPECT_EQ(read_text(other), read_text(entry.path())) << other;
+    ++pictures;
+  }
+  EXPECT_GT(pictures, 0U);
 }
 
 TEST_F(ReportPage, TellsWhenAndWhyFramesWereLost) {
