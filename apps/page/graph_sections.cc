@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -18,8 +19,7 @@ using html::Cell;
 std::string edges_text(const PoseGraph& graph) {
   return fmt::format(
       "{} keyframes; {} edges: {} of consecutive keyframes (odometry), {} of near ones "
-      "(proximity), "
-      "{} of places that were recognised (bow).",
+      "(proximity), {} of places that were recognised (bow).",
       graph.nodes().size(), graph.edges().size(), edges_of_kind(graph, EdgeKind::kOdometry),
       edges_of_kind(graph, EdgeKind::kProximity), edges_of_kind(graph, EdgeKind::kLoop));
 }
@@ -72,10 +72,21 @@ std::string gallery_text(const LoopGallery& gallery) {
       "Each line joins what both images show at the same place, by their ORB features.";
   if (gallery.chosen.size() == gallery.files) return kWhat;
   return fmt::format(
-      "{} of {} pictures: the loops that corrected the graph most. The {} that are left out here "
-      "are "
-      "in the folder loops. {}",
+      "{} of {} pictures: the loops that corrected the graph most. The {} that are left out "
+      "here are in the folder loops. {}",
       gallery.chosen.size(), gallery.files, gallery.files - gallery.chosen.size(), kWhat);
+}
+
+std::string_view why_no_picture(const RunReport& report) {
+  switch (report.loop_pictures) {
+    case LoopPictures::kNone:
+      return "Pictures of loops were not asked for.";
+    case LoopPictures::kAccepted:
+      return "No loop was closed. With --loop-pictures all those that were rejected are shown.";
+    case LoopPictures::kAll:
+      return "No place was recognised.";
+  }
+  return "";
 }
 
 }  // namespace
@@ -96,10 +107,7 @@ std::string loops_section(const RunReport& report, const RunPictures& pictures) 
   if (!report.graph || !report.options.slam.loops.enabled) return {};
   const LoopGallery& gallery = pictures.loops;
   if (gallery.files == 0) {
-    const char* why = report.loop_pictures == LoopPictures::kNone
-                          ? "Pictures of loops were not asked for."
-                          : "No loop was closed.";
-    return html::section("loops", "Loops", html::paragraph(why));
+    return html::section("loops", "Loops", html::paragraph(why_no_picture(report)));
   }
   std::string content = html::paragraph(gallery_text(gallery)) + loop_figures(gallery.chosen, true);
   const std::string rejected = loop_figures(gallery.chosen, false);

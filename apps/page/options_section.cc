@@ -10,13 +10,9 @@
 #include "cvo_slam/core/options.h"
 
 namespace cvo_slam {
-namespace {
-
-using html::Cell;
-
-}  // namespace
 
 std::string options_section(const RunReport& report) {
+  using html::Cell;
   ProgramOptions used = report.options;
   ProgramOptions defaults;
   const OptionSet default_set = describe(defaults);

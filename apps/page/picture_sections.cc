@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <limits>
-#include <set>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -26,18 +25,13 @@ std::string map_picture(const RunReport& report, const cv::Mat& picture) {
   return html::figure(html::jpeg_image(picture, "The map with the camera's path"), caption);
 }
 
-std::string caption_of(const std::string& name) {
-  if (name == "trajectory") return "The path from above, from the front and from the side.";
-  if (name == "errors") return "Errors over the time since the first frame.";
-  return name;
-}
-
-std::string figures_named(const RunPictures& pictures, const std::string& name) {
-  std::string content;
+/// The run's figure of that name, where it has one.
+std::string plot_named(const RunPictures& pictures, std::string_view name,
+                       const std::string& caption) {
   for (const NamedFigure& named : pictures.figures) {
-    if (named.name == name) content += plot(named.figure, caption_of(name));
+    if (named.name == name) return plot(named.figure, caption);
   }
-  return content;
+  return {};
 }
 
 std::vector<std::string> error_row(const std::string& name, const PoseErrorStatistics& statistics) {
@@ -89,7 +83,9 @@ std::string plot(const Figure& figure, const std::string& caption) {
 
 std::string map_section(const RunReport& report, const RunPictures& pictures) {
   return html::section("map", "Map and path",
-                       map_picture(report, pictures.map) + figures_named(pictures, "trajectory"));
+                       map_picture(report, pictures.map) +
+                           plot_named(pictures, "trajectory",
+                                      "The path from above, from the front and from the side."));
 }
 
 std::string accuracy_section(const RunReport& report, const RunPictures& pictures) {
@@ -101,7 +97,8 @@ std::string accuracy_section(const RunReport& report, const RunPictures& picture
       evaluation.matches, evaluation.estimate_poses, name_of(evaluation.options.alignment));
   return html::section(
       "accuracy", "Accuracy",
-      html::paragraph(how) + error_table(evaluation) + figures_named(pictures, "errors"));
+      html::paragraph(how) + error_table(evaluation) +
+          plot_named(pictures, "errors", "Errors over the time since the first frame."));
 }
 
 }  // namespace cvo_slam
