@@ -59,6 +59,7 @@ std::vector<Ends> ends_of(const std::vector<PixelPair>& pixels, int b_begins, do
     return cv::Point2f(static_cast<float>(scale * u), static_cast<float>(scale * v));
   };
   std::vector<Ends> ends;
+  ends.reserve(pixels.size());
   for (const PixelPair& pair : pixels) {
     ends.push_back({at(pair.a_u, pair.a_v), at(pair.b_u + static_cast<float>(b_begins), pair.b_v)});
   }

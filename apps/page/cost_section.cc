@@ -19,6 +19,7 @@ std::string seconds(double value) { return fmt::format("{:.2f}", value); }
 std::vector<std::string> frame_row(const std::string& stage, const std::vector<FrameCost>& costs,
                                    double FrameCost::*cost) {
   std::vector<double> values;
+  values.reserve(costs.size());
   for (const FrameCost& frame : costs) values.push_back(frame.*cost);
   if (values.empty()) return {stage, "wall", "0", "", ""};
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);

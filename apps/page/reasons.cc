@@ -58,6 +58,7 @@ std::vector<VerdictCount> count_verdicts(const std::vector<LoopCandidate>& candi
     ++(candidate.accepted ? count.accepted : count.rejected);
   }
   std::vector<VerdictCount> result;
+  result.reserve(counts.size());
   for (auto& [name, count] : counts) {
     count.found_by = name;
     result.push_back(count);
@@ -72,6 +73,7 @@ std::vector<ReasonCount> count_reasons(const std::vector<LoopCandidate>& candida
     ++counts[{name_of(candidate), without_figures(candidate.reason)}];
   }
   std::vector<ReasonCount> result;
+  result.reserve(counts.size());
   for (const auto& [key, count] : counts) {
     result.push_back({std::string(key.first), key.second, count});
   }
