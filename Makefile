@@ -38,6 +38,9 @@ demo: program $(if $(DATASET),,$(ROOM)/groundtruth.txt) ## Run on a synthetic ro
 	@echo
 	@echo "Pictures:"
 	@find "$$(realpath "$(OUT)")" \( -name '*.png' -o -name '*.svg' -o -name map.ply \) | sort | sed 's/^/  /'
+	@echo
+	@echo "All of it on one page:"
+	@echo "  $$(realpath "$(OUT)")/report.html"
 
 # Made aside and moved when complete, so that an interrupted run leaves no half a sequence.
 $(ROOM)/groundtruth.txt: $(wildcard io/synthetic/*.h io/synthetic/*.cc) | program
@@ -62,7 +65,7 @@ robustness: build-release ## Run synthetic worlds and thinned sequences, write d
 	bench/run_robustness.sh
 
 .PHONY: pictures
-pictures: program $(ROOM)/groundtruth.txt ## Draw the pictures of docs/rendering.md
+pictures: program $(ROOM)/groundtruth.txt ## Draw the pictures of docs/rendering.md and README.md
 	bench/draw_pictures.sh $(PROGRAM) $(ROOM)
 
 .PHONY: bench

@@ -66,7 +66,7 @@ int run_eval(const EvalArguments& arguments) {
     throw InputError(arguments.estimate, error.what());
   }
   if (!arguments.plot_folder.empty()) {
-    write_evaluation_plots(arguments.plot_folder, reference, estimate, report);
+    write_figures(arguments.plot_folder, evaluation_figures(reference, estimate, report));
   }
   fmt::print("{}", arguments.json ? to_json(report).dump(2) + "\n" : to_table(report));
   return kDone;

@@ -14,11 +14,6 @@
 namespace cvo_slam {
 namespace {
 
-void write_figure(const std::filesystem::path& stem, const Figure& figure) {
-  write_png(stem.string() + ".png", figure);
-  write_svg(stem.string() + ".svg", figure);
-}
-
 std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
   std::vector<ErrorCurve> curves;
   if (report.ate) curves.push_back({"ATE", report.ate->errors});
@@ -45,21 +40,22 @@ std::vector<StampedPose> during(const std::vector<StampedPose>& reference,
 
 }  // namespace
 
-void write_evaluation_plots(const std::filesystem::path& folder,
-                            const std::vector<StampedPose>& reference,
-                            const std::vector<StampedPose>& estimate,
-                            const EvaluationReport& report) {
-  make_folder(folder);
+std::vector<NamedFigure> evaluation_figures(const std::vector<StampedPose>& reference,
+                                            const std::vector<StampedPose>& estimate,
+                                            const EvaluationReport& report) {
   const Similarity alignment = report.ate ? report.ate->alignment : Similarity();
   const double offset = report.options.association.time_offset;
-  write_figure(folder / "trajectory", trajectory_figure(during(reference, estimate, offset),
-                                                        transformed(alignment, estimate)));
-  write_figure(folder / "errors", error_figure(curves_of(report)));
+  return {{"trajectory", trajectory_figure(during(reference, estimate, offset),
+                                           transformed(alignment, estimate))},
+          {"errors", error_figure(curves_of(report))}};
 }
 
-void write_trajectory_plot(const std::filesystem::path& folder,
-                           const std::vector<StampedPose>& estimate) {
-  write_figure(folder / "trajectory", trajectory_figure({}, estimate));
+void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures) {
+  make_folder(folder);
+  for (const NamedFigure& named : figures) {
+    write_png(folder / (named.name + ".png"), named.figure);
+    write_svg(folder / (named.name + ".svg"), named.figure);
+  }
 }
 
 }  // namespace cvo_slam

@@ -3,22 +3,28 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/core/trajectory.h"
+#include "cvo_slam/io/plot/figure.h"
 
 namespace cvo_slam {
 
-/// Writes trajectory.{png,svg}, the aligned estimate against the reference, and errors.{png,svg},
-/// the errors over time, into `folder`, which is made where it is missing. Throws OutputError.
-void write_evaluation_plots(const std::filesystem::path& folder,
-                            const std::vector<StampedPose>& reference,
-                            const std::vector<StampedPose>& estimate,
-                            const EvaluationReport& report);
+/// A figure and the name of its files, without the ending.
+struct NamedFigure {
+  std::string name;
+  Figure figure;
+};
 
-/// Writes trajectory.{png,svg} of an estimate without a reference. Throws OutputError.
-void write_trajectory_plot(const std::filesystem::path& folder,
-                           const std::vector<StampedPose>& estimate);
+/// "trajectory", the aligned estimate against the reference, and "errors", the errors over time.
+[[nodiscard]] std::vector<NamedFigure> evaluation_figures(const std::vector<StampedPose>& reference,
+                                                          const std::vector<StampedPose>& estimate,
+                                                          const EvaluationReport& report);
+
+/// Writes each figure as PNG and as SVG into `folder`, which is made where it is missing. Throws
+/// OutputError.
+void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures);
 
 }  // namespace cvo_slam

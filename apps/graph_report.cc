@@ -3,7 +3,6 @@
 #include "cvo_slam/apps/graph_report.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -11,24 +10,6 @@
 
 namespace cvo_slam {
 namespace {
-
-/// How a candidate was found.
-std::string_view name_of(EdgeKind kind) {
-  switch (kind) {
-    case EdgeKind::kOdometry:
-      return "odometry";
-    case EdgeKind::kProximity:
-      return "proximity";
-    case EdgeKind::kLoop:
-      return "bow";
-  }
-  return "";
-}
-
-auto edges_of_kind(const PoseGraph& graph, EdgeKind kind) {
-  return std::count_if(graph.edges().begin(), graph.edges().end(),
-                       [&](const PoseGraphEdge& edge) { return edge.kind == kind; });
-}
 
 auto candidates_of_kind(const std::vector<LoopCandidate>& candidates, EdgeKind kind) {
   return std::count_if(candidates.begin(), candidates.end(),
@@ -47,6 +28,24 @@ auto accepted(const std::vector<LoopCandidate>& candidates) {
 }
 
 }  // namespace
+
+std::string_view name_of(const LoopCandidate& candidate) {
+  switch (candidate.kind) {
+    case EdgeKind::kOdometry:
+      return "odometry";
+    case EdgeKind::kProximity:
+      return "proximity";
+    case EdgeKind::kLoop:
+      return "bow";
+  }
+  return "";
+}
+
+std::size_t edges_of_kind(const PoseGraph& graph, EdgeKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(graph.edges().begin(), graph.edges().end(),
+                    [&](const PoseGraphEdge& edge) { return edge.kind == kind; }));
+}
 
 std::string csv_quoted(const std::string& text) {
   std::string result = "\"";
@@ -93,9 +92,9 @@ std::string loops_csv(const std::vector<LoopCandidate>& candidates) {
       "correction_rad,standard_deviations,verdict,reason\n";
   for (const LoopCandidate& c : candidates) {
     csv += fmt::format(
-        "{},{},{},{},{:.2f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{},{}\n",
-        name_of(c.kind), c.from, c.to, recognition_fields(c), c.expected_overlap, c.overlap,
-        c.cos_theta, c.round_trip_translation, c.round_trip_rotation, c.correction_translation,
+        "{},{},{},{},{:.2f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{},{}\n", name_of(c),
+        c.from, c.to, recognition_fields(c), c.expected_overlap, c.overlap, c.cos_theta,
+        c.round_trip_translation, c.round_trip_rotation, c.correction_translation,
         c.correction_rotation, c.error, c.accepted ? "accepted" : "rejected", csv_quoted(c.reason));
   }
   return csv;

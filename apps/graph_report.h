@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +16,11 @@ namespace cvo_slam {
 
 /// A text as a field of a CSV file.
 [[nodiscard]] std::string csv_quoted(const std::string& text);
+
+/// How a candidate was found: "proximity" or, by a bag of words, "bow".
+[[nodiscard]] std::string_view name_of(const LoopCandidate& candidate);
+
+[[nodiscard]] std::size_t edges_of_kind(const PoseGraph& graph, EdgeKind kind);
 
 /// Numbers of nodes, edges and candidates, costs, iterations, times.
 [[nodiscard]] nlohmann::ordered_json to_json(const GraphResult& result);

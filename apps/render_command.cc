@@ -52,12 +52,16 @@ const std::vector<std::pair<std::string, Vector3>>& up_directions() {
   return directions;
 }
 
-void choose_up(const std::string& name, render::Scene& scene) {
+Vector3 estimate_up(const render::Scene& scene) {
   std::vector<SE3> cameras = scene.keyframes;
   for (const auto& path : scene.paths) {
     for (const auto& pose : path.poses) cameras.push_back(pose.T_world_camera);
   }
-  scene.up = render::estimate_up(cameras, scene.points);
+  return render::estimate_up(cameras, scene.points);
+}
+
+/// As the user says; nothing where that is "auto".
+void apply_up(const std::string& name, render::Scene& scene) {
   for (const auto& [direction, up] : up_directions()) {
     if (direction == name) scene.up = up;
   }
@@ -82,7 +86,7 @@ render::Scene load_scene(const RenderArguments& arguments) {
                      "nothing to draw: no point and no pose; name a run, a trajectory, a .g2o or a "
                      ".ply file that has some");
   }
-  choose_up(arguments.up, scene);
+  scene.up = estimate_up(scene);
   choose_colors(arguments.color, scene);
   if (!arguments.reference.empty()) {
     std::vector<std::string> notes;
@@ -90,6 +94,7 @@ render::Scene load_scene(const RenderArguments& arguments) {
   } else if (arguments.color == PathColor::kError) {
     throw OptionError("--color error needs the true trajectory: name it with --reference");
   }
+  apply_up(arguments.up, scene);
   scene.title = arguments.title;
   scene.point_size = arguments.point_size;
   return scene;

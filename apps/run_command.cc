@@ -3,6 +3,7 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -13,7 +14,9 @@
 
 #include "cvo_slam/apps/command.h"
 #include "cvo_slam/apps/interrupt.h"
+#include "cvo_slam/apps/loop_pictures.h"
 #include "cvo_slam/apps/odometry_run.h"
+#include "cvo_slam/apps/run_files.h"
 #include "cvo_slam/apps/run_report.h"
 #include "cvo_slam/apps/slam_run.h"
 #include "cvo_slam/apps/tracking_arguments.h"
@@ -36,6 +39,7 @@ struct RunArguments {
   bool json = false;
   bool dump_config = false;
   bool no_map = false;
+  LoopPictures loop_pictures = LoopPictures::kAccepted;
 };
 
 /// Makes a folder that was not there: `name` in `parent`, or `name`_2, `name`_3, ...
@@ -112,8 +116,8 @@ int run(const RunArguments& arguments) {
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
   prepare_folder(folder);
 
-  RunReport report{*data,        range, options, arguments.mode, {},
-                   std::nullopt, {},    {},      std::nullopt,   data->notes()};
+  RunReport report{*data, range,        options,       arguments.mode,         {}, std::nullopt, {},
+                   {},    std::nullopt, data->notes(), arguments.loop_pictures};
   const RunControl control{arguments.quiet, arguments.no_map ? 0 : options.map.pixel_step};
   if (arguments.mode != "odometry") {
     SlamRun slam = run_slam(*data, range, options, vocabulary, control);
@@ -137,7 +141,7 @@ int run(const RunArguments& arguments) {
 void add_run_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<RunArguments>();
   auto* command =
-      app.add_subcommand("run", "Track a sequence; write trajectory, figures and plots");
+      app.add_subcommand("run", "Track a sequence; write trajectory, map, plots and a report");
   arguments->tracking.add_to(*command);
   command
       ->add_option("--mode", arguments->mode,
@@ -159,6 +163,14 @@ void add_run_command(CLI::App& app, Action& action) {
                     "Print the effective options as YAML with their documentation, and end");
   command->add_flag("--no-map", arguments->no_map,
                     "Neither map.ply nor map.png: saves their memory and time");
+  const std::map<std::string, LoopPictures> loop_pictures = {{"none", LoopPictures::kNone},
+                                                             {"accepted", LoopPictures::kAccepted},
+                                                             {"all", LoopPictures::kAll}};
+  command
+      ->add_option("--loop-pictures", arguments->loop_pictures,
+                   "none, accepted or all: the recognised places whose images are drawn into the "
+                   "folder loops (default accepted)")
+      ->transform(CLI::CheckedTransformer(loop_pictures).description(""));
   command->add_flag("--quiet", arguments->quiet, "No progress, no table");
   command->add_flag("--json", arguments->json, "Print the report as JSON in place of the table");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });

@@ -77,12 +77,12 @@ RunMap make_run_map(const OdometryRun& run, const std::optional<GraphResult>& gr
   return result;
 }
 
-void write_run_map(const std::filesystem::path& folder, RunMap& run_map,
-                   const Trajectory& trajectory, const std::vector<StampedPose>& reference,
-                   std::vector<std::string>& notes) {
+cv::Mat write_run_map(const std::filesystem::path& folder, RunMap& run_map,
+                      const Trajectory& trajectory, const std::vector<StampedPose>& reference,
+                      std::vector<std::string>& notes) {
   const double start = process_cpu_seconds();
   write_map(folder, run_map.map);
-  if (!run_map.has_points) return;
+  if (!run_map.has_points) return {};
   const render::Scene scene = make_run_scene(run_map.map, trajectory, reference, notes);
   const auto renderer = render::make_renderer();
   const render::Picture picture = render::draw_picture(scene, kView, *renderer);
@@ -90,6 +90,7 @@ void write_run_map(const std::filesystem::path& folder, RunMap& run_map,
   render::write_picture(folder / "map.png", picture.image);
   run_map.renderer = renderer->name();
   run_map.cpu_seconds += process_cpu_seconds() - start;
+  return picture.image;
 }
 
 nlohmann::ordered_json to_json(const RunMap& run_map) {

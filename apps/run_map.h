@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <opencv2/core/mat.hpp>
 
 #include "cvo_slam/apps/odometry_run.h"
 #include "cvo_slam/apps/slam_run.h"
@@ -31,11 +32,11 @@ struct RunMap {
                                   const FusionOptions& options, int threads);
 
 /// Writes the map's files and, where points were asked for, map.png: the points with the path,
-/// which is fitted to the reference where there is one. Throws OutputError; what the picture lacks
-/// is said in `notes`.
-void write_run_map(const std::filesystem::path& folder, RunMap& run_map,
-                   const Trajectory& trajectory, const std::vector<StampedPose>& reference,
-                   std::vector<std::string>& notes);
+/// which is fitted to the reference where there is one. Answers the picture, CV_8UC3; empty where
+/// there is none. Throws OutputError; what the picture lacks is said in `notes`.
+cv::Mat write_run_map(const std::filesystem::path& folder, RunMap& run_map,
+                      const Trajectory& trajectory, const std::vector<StampedPose>& reference,
+                      std::vector<std::string>& notes);
 
 [[nodiscard]] nlohmann::ordered_json to_json(const RunMap& run_map);
 

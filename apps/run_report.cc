@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/run_report.h"
 
-#include <array>
-#include <system_error>
-
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/graph_report.h"
-#include "cvo_slam/core/error.h"
+#include "cvo_slam/apps/page/run_page.h"
 #include "cvo_slam/core/statistics.h"
 #include "cvo_slam/core/units.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/options_file.h"
+#include "cvo_slam/io/plot/trajectory_plot.h"
 #include "cvo_slam/io/tum_trajectory.h"
 
 namespace cvo_slam {
@@ -49,6 +47,12 @@ Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
     }
   }
   return trajectory;
+}
+
+std::vector<NamedFigure> figures_of(const RunReport& report) {
+  const auto& poses = report.trajectory.poses;
+  if (!report.evaluation) return {{"trajectory", trajectory_figure({}, poses)}};
+  return evaluation_figures(report.data.reference(), poses, *report.evaluation);
 }
 
 /// An option's text as a number, a truth value or a list where it is one.
@@ -163,44 +167,24 @@ std::string frames_csv(const OdometryRun& run) {
   return csv;
 }
 
-void remove_run(const std::filesystem::path& folder) {
-  constexpr std::array kFiles = {"trajectory.txt", "trajectory_online.txt",
-                                 "keyframes.txt",  "graph.g2o",
-                                 "edges.txt",      "map.ply",
-                                 "map.png",        "loops.csv",
-                                 "frames.csv",     "config.yaml",
-                                 "report.json",    "trajectory.png",
-                                 "trajectory.svg", "errors.png",
-                                 "errors.svg"};
-  for (const char* name : kFiles) {
-    const auto file = folder / name;
-    std::error_code error;
-    // A folder of that name is not a run's.
-    if (std::filesystem::is_directory(std::filesystem::symlink_status(file, error))) continue;
-    std::filesystem::remove(file, error);
-    if (error) {
-      throw OutputError(file, fmt::format("cannot be removed: {}; choose another folder or check "
-                                          "its permissions",
-                                          error.message()));
-    }
-  }
-}
-
 void write_run(const std::filesystem::path& folder, RunReport& report) {
   write_tum(folder / "trajectory.txt", report.trajectory);
   write_tum(folder / "trajectory_online.txt", online_trajectory(report.run.records));
   write_file(folder / "frames.csv", frames_csv(report.run));
-  if (report.graph) write_loops(folder, *report.graph);
-  write_run_map(folder, report.map, report.trajectory, report.data.reference(), report.notes);
   ProgramOptions options = report.options;
   write_file(folder / "config.yaml", options_to_yaml(describe(options), true));
-  write_file(folder / "report.json", to_json(report).dump(2) + "\n");
-  if (report.evaluation) {
-    write_evaluation_plots(folder, report.data.reference(), report.trajectory.poses,
-                           *report.evaluation);
-  } else {
-    write_trajectory_plot(folder, report.trajectory.poses);
+  RunPictures pictures;
+  if (report.graph) {
+    write_loops(folder, *report.graph);
+    pictures.loops = write_loop_pictures(folder, report.data, report.graph->candidates,
+                                         report.loop_pictures, kMostLoopsOnPage, report.notes);
   }
+  pictures.map =
+      write_run_map(folder, report.map, report.trajectory, report.data.reference(), report.notes);
+  write_file(folder / "report.json", to_json(report).dump(2) + "\n");
+  pictures.figures = figures_of(report);
+  write_figures(folder, pictures.figures);
+  write_file(folder / "report.html", run_page(folder, report, pictures));
 }
 
 }  // namespace cvo_slam

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cvo_slam/apps/evaluation_report.h"
+#include "cvo_slam/apps/loop_pictures.h"
 #include "cvo_slam/apps/odometry_run.h"
 #include "cvo_slam/apps/run_map.h"
 #include "cvo_slam/apps/slam_run.h"
@@ -29,6 +30,7 @@ struct RunReport {
   Trajectory trajectory;
   std::optional<EvaluationReport> evaluation;
   std::vector<std::string> notes;
+  LoopPictures loop_pictures = LoopPictures::kAccepted;
 
   /// Frames without a pose in the trajectory by all frames.
   [[nodiscard]] double lost_share() const;
@@ -43,13 +45,9 @@ struct RunReport {
 /// One line a frame.
 [[nodiscard]] std::string frames_csv(const OdometryRun& run);
 
-/// Removes the files that an earlier run left in `folder`, so that none is taken for one of the
-/// next run; other files stay. Throws OutputError.
-void remove_run(const std::filesystem::path& folder);
-
 /// Writes every file of a run into `folder`, which exists: trajectory.txt, trajectory_online.txt,
-/// frames.csv, config.yaml, report.json, the plots, those of the map and of the graph. Says in the
-/// report's notes what is not in a picture. Throws OutputError.
+/// frames.csv, config.yaml, report.json, report.html, the plots, those of the map, of the graph and
+/// of its loops. Says in the report's notes what is not in a picture. Throws OutputError.
 void write_run(const std::filesystem::path& folder, RunReport& report);
 
 }  // namespace cvo_slam

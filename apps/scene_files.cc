@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "cvo_slam/core/absolute_trajectory_error.h"
@@ -35,6 +36,13 @@ void add_path(render::Scene& scene, std::string label, std::vector<StampedPose> 
   scene.paths.push_back({std::move(label), std::move(poses), color});
 }
 
+/// The reference's z where it is motion capture's: about where up was taken to be without it.
+/// Others, as 7-Scenes, have no axis that points up.
+Vector3 up_of_reference(const Matrix3& R_scene_reference, const Vector3& estimated_up) {
+  const Vector3 z = R_scene_reference.col(2);
+  return z.dot(estimated_up) > std::numbers::sqrt2 / 2 ? z : estimated_up;
+}
+
 }  // namespace
 
 void add_to_scene(render::Scene& scene, const std::filesystem::path& input) {
@@ -61,7 +69,7 @@ void add_reference(render::Scene& scene, const std::vector<StampedPose>& referen
   render::Path& path = scene.paths.front();
   const auto error = absolute_trajectory_error(associate(reference, path.poses));
   const SE3 T_scene_reference = error.alignment.T_reference_estimate.inverse();
-  scene.up = T_scene_reference.rotation().col(2);
+  scene.up = up_of_reference(T_scene_reference.rotation(), scene.up);
   if (color == PathColor::kError) {
     constexpr double kMillimetres = 1000;
     std::map<Timestamp, double> values;

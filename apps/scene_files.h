@@ -18,9 +18,9 @@ enum class PathColor { kTime, kError, kPlain };
 /// points (.ply), or else a trajectory in TUM format. Throws InputError.
 void add_to_scene(render::Scene& scene, const std::filesystem::path& input);
 
-/// Adds the true path, fitted to the scene's first one, and takes its z, which motion capture has
-/// up, for up. With kError the first path is coloured by its distance from it.
-/// Throws DataError where the two have too few times in common.
+/// Adds the true path, fitted to the scene's first one. Where its z, which motion capture has up,
+/// is within 45 degrees of the scene's up it is taken for that. With kError the first path is
+/// coloured by its distance from it. Throws DataError where the two have too few times in common.
 void add_reference(render::Scene& scene, const std::vector<StampedPose>& reference,
                    PathColor color);
 

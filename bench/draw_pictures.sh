@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The cvo_slam authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Draws the pictures of docs/rendering.md: `make pictures`. Takes the sequence of `make demo`.
+# Draws the pictures of docs/rendering.md and of the README: `make pictures`. Takes the sequence of
+# `make demo`. The page of the README is drawn where there is a Chromium.
 set -eu
 
 program=${1:-build/release/cvo_slam}
@@ -24,3 +25,17 @@ draw iso --view iso
 draw turntable --view turntable --azimuth 140
 draw follow --view follow --at 0.15
 draw error --view turntable --azimuth 70 --reference "$room/groundtruth.txt" --color error
+
+# What `make demo` leaves, small enough for a README.
+demo=$(pwd)/build/pictures_demo
+out=docs/images/demo
+mkdir -p "$out"
+"$program" run "$room" --mode odometry --quiet --out "$demo"
+"$program" render "$demo" --size 800x450 --reference "$room/groundtruth.txt" -o "$out/map.jpg"
+cp "$demo/trajectory.svg" "$out/trajectory.svg"
+if command -v chromium > /dev/null; then
+  chromium --headless=new --no-sandbox --disable-gpu --hide-scrollbars --window-size=1000,1240 \
+    --screenshot="$(pwd)/$out/report.jpg" "file://$demo/report.html"
+else
+  echo "no chromium: $out/report.jpg stays as it is; on Debian: apt-get install chromium" >&2
+fi

@@ -19,8 +19,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
+#include "cvo_slam/apps/match_picture.h"
 #include "cvo_slam/apps/settings.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/pose_interpolation.h"
@@ -277,15 +277,10 @@ class Quality {
 
   void draw(const Judged& judged) const {
     if (arguments_.pictures.empty()) return;
-    const cv::Mat& a = views_[judged.older].frame.color;
-    const cv::Mat& b = views_[judged.newer].frame.color;
-    cv::Mat both;
-    cv::hconcat(a, b, both);
-    for (const PixelPair& pair : judged.match.verification.pixels) {
-      cv::line(both, cv::Point2f(pair.a_u, pair.a_v),
-               cv::Point2f(pair.b_u + static_cast<float>(a.cols), pair.b_v), {0, 255, 0}, 1,
-               cv::LINE_AA);
-    }
+    constexpr int kWidth = 1296;  // [px]: two images of a Kinect as they are
+    const cv::Mat both =
+        draw_matches(views_[judged.older].frame.color, views_[judged.newer].frame.color,
+                     judged.match.verification.pixels, kWidth);
     make_folder(arguments_.pictures);
     cv::imwrite(fmt::format("{}/{}_{}_{}.png", arguments_.pictures, data_->name(), judged.older,
                             judged.newer),

@@ -26,4 +26,13 @@ bool make_folder(const std::filesystem::path& folder) {
                                         error.message()));
 }
 
+void remove_file(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  if (!error) return;
+  throw OutputError(file, fmt::format("cannot be removed: {}; choose another folder or check its "
+                                      "permissions",
+                                      error.message()));
+}
+
 }  // namespace cvo_slam

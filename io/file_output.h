@@ -14,4 +14,7 @@ void write_file(const std::filesystem::path& file, std::string_view bytes);
 /// Throws OutputError.
 bool make_folder(const std::filesystem::path& folder);
 
+/// Removes the file, or the empty folder, where there is one. Throws OutputError.
+void remove_file(const std::filesystem::path& file);
+
 }  // namespace cvo_slam

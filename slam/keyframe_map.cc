@@ -27,6 +27,7 @@ LoopCandidate candidate_of(const LoopMatch& match) {
   candidate.score = match.score;
   candidate.normalized_score = match.normalized_score;
   candidate.inliers = match.verification.inliers;
+  candidate.pixels = match.verification.pixels;
   return candidate;
 }
 

@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/loop/loop_verifier.h"
 
 namespace cvo_slam {
 
@@ -19,9 +21,10 @@ struct LoopCandidate {
   double score = 0;
   double normalized_score = 0;
   std::size_t inliers = 0;
-  double expected_overlap = 0;  ///< by the poses of the graph; of a near one
-  double overlap = 0;           ///< the lower one of the two registrations
-  double cos_theta = 0;         ///< likewise
+  std::vector<PixelPair> pixels;  ///< of those features, a = from, b = to (Verification)
+  double expected_overlap = 0;    ///< by the poses of the graph; of a near one
+  double overlap = 0;             ///< the lower one of the two registrations
+  double cos_theta = 0;           ///< likewise
   /// How far the two registrations, one each way, are apart [m, rad].
   double round_trip_translation = 0;
   double round_trip_rotation = 0;

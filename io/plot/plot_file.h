@@ -13,10 +13,13 @@ namespace cvo_slam {
 /// Throws OptionError for an impossible size or number of columns, as the writers do.
 [[nodiscard]] std::string to_svg(const Figure& figure);
 
+/// The figure as the bytes of a PNG of its size in pixels.
+[[nodiscard]] std::string to_png(const Figure& figure);
+
 /// Writes the figure as SVG. Throws OutputError.
 void write_svg(const std::filesystem::path& file, const Figure& figure);
 
-/// Writes the figure as PNG of its size in pixels. Throws OutputError.
+/// Writes the figure as PNG. Throws OutputError.
 void write_png(const std::filesystem::path& file, const Figure& figure);
 
 }  // namespace cvo_slam

@@ -121,15 +121,17 @@ class PngCanvas : public Canvas {
 
 }  // namespace
 
-void write_png(const std::filesystem::path& file, const Figure& figure) {
+std::string to_png(const Figure& figure) {
   check_size(figure);
   PngCanvas canvas(figure.width, figure.height);
   draw_figure(figure, canvas);
   std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", canvas.image(), bytes)) {
-    throw OutputError(file, "OpenCV cannot encode PNG");
-  }
-  write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!cv::imencode(".png", canvas.image(), bytes)) throw Error("OpenCV cannot encode PNG");
+  return {bytes.begin(), bytes.end()};
+}
+
+void write_png(const std::filesystem::path& file, const Figure& figure) {
+  write_file(file, to_png(figure));
 }
 
 }  // namespace cvo_slam

@@ -46,6 +46,14 @@ std::array<View, 3> views_of_first_camera() {
           View{"Side", z, -y, "z [m]", "-y [m]"}};
 }
 
+/// Whether the world has z up, as that of motion capture, and not -y, as a camera's. Cameras are
+/// held upright rather than otherwise.
+bool is_z_up(const std::vector<StampedPose>& reference) {
+  Vector3 up = Vector3::Zero();
+  for (const StampedPose& pose : reference) up -= pose.T_world_camera.rotation().col(1);
+  return up.z() >= -up.y();
+}
+
 void append(Series& series, double x, double y) {
   series.x.push_back(x);
   series.y.push_back(y);
@@ -136,7 +144,8 @@ Figure trajectory_figure(const std::vector<StampedPose>& reference,
   figure.columns = 3;
   figure.width = kWidth;
   figure.height = 560;
-  for (const auto& view : reference.empty() ? views_of_first_camera() : views_with_z_up()) {
+  const bool z_up = !reference.empty() && is_z_up(reference);
+  for (const auto& view : z_up ? views_with_z_up() : views_of_first_camera()) {
     figure.panels.push_back(view_panel(reference, estimate, view));
   }
   return figure;

@@ -12,8 +12,9 @@
 namespace cvo_slam {
 
 /// Top, front and side views of an estimate, in metres, over the reference where there is one. Both
-/// must be in the same world (core/alignment.h). With a reference z is taken to point up, as in
-/// motion capture; without one the world is the first camera, with y down and z ahead.
+/// must be in the same world (core/alignment.h). Up is z, as in motion capture,
+/// where the reference's cameras are held so on the mean; else, and without a reference, it is -y,
+/// as of a world that is a camera's frame, and z is ahead.
 [[nodiscard]] Figure trajectory_figure(const std::vector<StampedPose>& reference,
                                        const std::vector<StampedPose>& estimate);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "cvo_slam/core/stamp_gaps.h"
 #include "cvo_slam/io/render/cameras_internal.h"
@@ -41,6 +42,15 @@ void add_frustum(const SE3& camera, double size, double width, LineArt& art) {
   for (const std::size_t i : {0, 1}) art.line(corners[i], corners[4], width, kKeyframeColor);
 }
 
+/// Whether the frusta of two cameras lie so much over one another that a second one hides the first
+/// and the path, and tells nothing.
+bool look_alike(const SE3& a, const SE3& b, double size) {
+  constexpr double kApart = 0.6;   // of the size
+  constexpr double kTurned = 0.8;  // cosine of some 37 degrees
+  return (a.translation() - b.translation()).norm() < kApart * size &&
+         a.rotation().col(2).dot(b.rotation().col(2)) > kTurned;
+}
+
 }  // namespace
 
 Color color_of(EdgeKind kind) {
@@ -60,11 +70,15 @@ void add_paths(const Scene& scene, const ColorScale& scale, double unit, LineArt
 }
 
 void add_keyframes(const Scene& scene, const Extent& extent, double unit, LineArt& art) {
-  constexpr std::size_t kMostFrusta = 100;
-  const std::size_t step = 1 + scene.keyframes.size() / kMostFrusta;
   const double size = std::clamp(0.02 * extent.size(), 0.03, 1.0);
-  for (std::size_t i = 0; i < scene.keyframes.size(); i += step) {
-    add_frustum(scene.keyframes[i], size, unit, art);
+  std::vector<SE3> drawn;
+  for (const SE3& keyframe : scene.keyframes) {
+    const bool is_covered = std::any_of(drawn.begin(), drawn.end(), [&](const SE3& other) {
+      return look_alike(keyframe, other, size);
+    });
+    if (is_covered) continue;
+    add_frustum(keyframe, size, unit, art);
+    drawn.push_back(keyframe);
   }
 }
 

@@ -14,7 +14,7 @@ inline constexpr Color kKeyframeColor = kOrange;
 /// The paths as ribbons. `unit` is the width of a thin line [px], here and below.
 void add_paths(const Scene& scene, const ColorScale& scale, double unit, LineArt& art);
 
-/// A frustum each, or each n-th where there are too many to tell apart.
+/// A frustum each, but none over another that looks the same way.
 void add_keyframes(const Scene& scene, const Extent& extent, double unit, LineArt& art);
 
 void add_constraints(const Scene& scene, double unit, LineArt& art);

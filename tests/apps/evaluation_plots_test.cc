@@ -17,9 +17,10 @@ TEST(EvaluationPlots, AnEstimateOfAnotherClockIsDrawnOverTheSamePartOfTheReferen
   auto delayed = estimate;
   for (auto& pose : delayed) pose.stamp = Timestamp(pose.stamp.nanoseconds() + 100'000'000'000);
 
-  write_evaluation_plots(folder.path() / "same", estimate, estimate, evaluate(estimate, estimate));
-  write_evaluation_plots(folder.path() / "other", reference, delayed,
-                         evaluate(reference, delayed, {.association = {.time_offset = -100}}));
+  write_figures(folder.path() / "same",
+                evaluation_figures(estimate, estimate, evaluate(estimate, estimate)));
+  const auto report = evaluate(reference, delayed, {.association = {.time_offset = -100}});
+  write_figures(folder.path() / "other", evaluation_figures(reference, delayed, report));
   EXPECT_EQ(read_text(folder.path() / "other" / "trajectory.svg"),
             read_text(folder.path() / "same" / "trajectory.svg"));
 }

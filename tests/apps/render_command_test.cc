@@ -119,6 +119,17 @@ TEST_F(RenderCommand, DrawsTrajectoriesGraphsAndPoints) {
   }
 }
 
+TEST_F(RenderCommand, UpIsWhatTheUserSaysWhateverTheReferenceSays) {
+  const std::string trajectory = map_ / "trajectory.txt";
+  for (const std::string up : {"z", "-z", "auto"}) {
+    const auto result =
+        render({trajectory, "--reference", trajectory, "--up", up, "-o", path(up + ".png")});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+  }
+  EXPECT_NE(read_text(path("z.png")), read_text(path("-z.png")));
+  EXPECT_EQ(read_text(path("z.png")), read_text(path("auto.png")));
+}
+
 TEST_F(RenderCommand, ATurntableIsNumberedPicturesAndAVideoAFile) {
   const auto result =
       render({map_, "-o", path("turn.png"), "--turntable", "3", "--video", path("turn.avi")});

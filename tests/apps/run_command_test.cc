@@ -52,8 +52,8 @@ class RunCommand : public testing::Test {
 
   void expect_every_file() const {
     for (const char* name : {"trajectory.txt", "trajectory_online.txt", "frames.csv", "config.yaml",
-                             "report.json", "trajectory.png", "trajectory.svg", "errors.png",
-                             "errors.svg", "keyframes.txt", "map.ply", "map.png"}) {
+                             "report.json", "report.html", "trajectory.png", "trajectory.svg",
+                             "errors.png", "errors.svg", "keyframes.txt", "map.ply", "map.png"}) {
       ASSERT_TRUE(has_file(name)) << name;
       EXPECT_GT(file(name).size(), 100U) << name;
     }
@@ -340,6 +340,7 @@ TEST_F(RunCommand, AnInterruptWritesWhatThereIs) {
   EXPECT_EQ(WEXITSTATUS(status), 130);
   const auto report = nlohmann::json::parse(file("report.json"));
   EXPECT_TRUE(report["interrupted"]);
+  EXPECT_THAT(file("report.html"), HasSubstr("interrupted: what there was until then"));
   EXPECT_LT(report["frames"]["processed"], kFrames);
 }
 

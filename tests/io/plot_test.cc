@@ -142,8 +142,16 @@ TEST(Png, DrawsTheColourOfASeriesWhereItsPointIs) {
   EXPECT_NEAR(cv::countNonZero(is_vermilion), 40, 10);
 }
 
+/// The path in a world in which the cameras, which look along z, are upright.
+std::vector<StampedPose> with_z_up(std::vector<StampedPose> poses) {
+  const SE3 T_upright_world(Matrix3{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, Vector3::Zero());
+  for (StampedPose& pose : poses) pose.T_world_camera = T_upright_world * pose.T_world_camera;
+  return poses;
+}
+
 TEST(TrajectoryFigure, HasThreeViewsWithEqualAspect) {
-  const Figure figure = trajectory_figure(helix(5), helix(5));
+  const auto path = with_z_up(helix(5));
+  const Figure figure = trajectory_figure(path, path);
   ASSERT_EQ(figure.panels.size(), 3U);
   for (const auto& panel : figure.panels) {
     EXPECT_TRUE(panel.equal_aspect);
@@ -152,6 +160,13 @@ TEST(TrajectoryFigure, HasThreeViewsWithEqualAspect) {
     EXPECT_EQ(panel.series[1].label, "estimate");
   }
   EXPECT_EQ(figure.panels[0].y_label, "y [m]");
+}
+
+// The true poses of 7-Scenes: its top view once was one from the front.
+TEST(TrajectoryFigure, LooksFromAboveWhereTheWorldIsACameras) {
+  const Figure figure = trajectory_figure(helix(5), helix(5));
+  EXPECT_EQ(figure.panels[0].y_label, "z [m]");
+  EXPECT_EQ(figure.panels[1].y_label, "-y [m]");
 }
 
 TEST(TrajectoryFigure, WithoutReferenceLooksFromTheFirstCamera) {

@@ -55,6 +55,21 @@ TEST(Picture, OnePoseIsAPicture) {
     EXPECT_GT(ink(draw(scene, kind).image), 30U) << name;
 }
 
+// A camera that turns on the spot, as in fr1/rpy: its keyframes hid the path.
+TEST(Picture, AKeyframeThatLooksAsAnotherOneIsNotDrawnOverIt) {
+  Scene scene;
+  scene.keyframes = {pose_at(0, 0, 0), pose_at(1, 0.5, 0.5), pose_at(3, 1, 1)};
+  // Between them, so that the picture has the same frame.
+  const cv::Mat three = draw(scene).image;
+  scene.keyframes.push_back(pose_at(0.01, 0.01, 0.01));
+  const cv::Mat covered = draw(scene).image;
+  scene.keyframes.back() = pose_at(0.01, 0.01, 0.01) * SE3(so3_exp({0, 1, 0}), Vector3::Zero());
+  // A digit of the legend differs first; then ten lines of ten pixels, by half of 3 x 255 and more.
+  constexpr double kFewPixels = 5'000;
+  EXPECT_LT(cv::norm(three, covered, cv::NORM_L1), kFewPixels);
+  EXPECT_GT(cv::norm(covered, draw(scene).image, cv::NORM_L1), kFewPixels);
+}
+
 TEST(Picture, PosesAndPointsThatAreNotFiniteAreLeftOutWithANote) {
   const Scene good = floor_scene();
   Scene scene = good;

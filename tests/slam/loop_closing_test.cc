@@ -111,6 +111,10 @@ TEST_F(LoopsOfAMap, APlaceSeenBeforeIsAnEdge) {
   ASSERT_EQ(accepted(loops), 1U) << (loops.empty() ? "" : loops[0].reason);
   EXPECT_EQ(loops[0].from, 1U);
   EXPECT_GT(loops[0].inliers, 25U);
+  EXPECT_EQ(loops[0].pixels.size(), loops[0].inliers);
+  for (const PixelPair& pair : loops[0].pixels) {
+    EXPECT_NEAR(pair.a_u, pair.b_u, 4) << "the same image; RANSAC allows some pixels";
+  }
   EXPECT_GT(loops[0].score, 0);
   EXPECT_GT(loops[0].overlap, 0.9) << "the same image";
   const PoseGraphEdge& edge = map_->graph().edges().back();

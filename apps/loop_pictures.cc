@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/loop_pictures.h"
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "cvo_slam/apps/match_picture.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/io/file_output.h"
+
+namespace cvo_slam {
+namespace {
+
+constexpr const char* kFolder = "loops";
+constexpr int kWidth = 900;       // [px]; with that of a Kinect's images a file is 1 MB
+constexpr int kJpegQuality = 80;  // 60 to 90 kB a picture
+
+std::string_view verdict_of(const LoopCandidate& candidate) {
+  return candidate.accepted ? "accepted" : "rejected";
+}
+
+std::string encoded(const char* format, const cv::Mat& image, const std::vector<int>& options) {
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(format, image, bytes, options)) {
+    throw Error(fmt::format("OpenCV cannot encode {}", format));
+  }
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Indices of those of which a picture is made.
+std::vector<std::size_t> pictured(const std::vector<LoopCandidate>& candidates,
+                                  LoopPictures which) {
+  std::vector<std::size_t> indices;
+  if (which == LoopPictures::kNone) return indices;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].kind != EdgeKind::kLoop) continue;
+    if (candidates[i].accepted || which == LoopPictures::kAll) indices.push_back(i);
+  }
+  return indices;
+}
+
+/// Those of the indices that a page shows.
+std::set<std::size_t> chosen(const std::vector<LoopCandidate>& candidates,
+                             std::vector<std::size_t> indices, std::size_t max_count) {
+  std::stable_sort(indices.begin(), indices.end(), [&](std::size_t i, std::size_t j) {
+    const LoopCandidate& a = candidates[i];
+    const LoopCandidate& b = candidates[j];
+    if (a.accepted != b.accepted) return a.accepted;
+    return a.accepted && a.correction_translation > b.correction_translation;
+  });
+  indices.resize(std::min(indices.size(), max_count));
+  return {indices.begin(), indices.end()};
+}
+
+/// The colour images of a sequence, of which the newer one of a pair is often the next pair's too.
+class ColorImages {
+ public:
+  ColorImages(const Dataset& data, std::vector<std::string>& notes) : data_(data), notes_(notes) {}
+
+  cv::Mat older(std::size_t frame) { return read(frame); }
+
+  cv::Mat newer(std::size_t frame) {
+    if (newer_frame_ != frame) {
+      newer_ = read(frame);
+      newer_frame_ = frame;
+    }
+    return newer_;
+  }
+
+ private:
+  cv::Mat read(std::size_t frame) {
+    const RgbdFrame images = data_.read(frame);
+    if (images.color.empty()) {
+      notes_.push_back(fmt::format("no picture of frame {} of a loop: {}", frame, images.problem));
+    }
+    return images.color;
+  }
+
+  const Dataset& data_;
+  std::vector<std::string>& notes_;
+  std::optional<std::size_t> newer_frame_;
+  cv::Mat newer_;
+};
+
+bool is_loop_picture(const std::filesystem::path& file) {
+  static const std::regex pattern(R"((accepted|rejected)_\d{6,}_\d{6,}\.png)");
+  return std::regex_match(file.filename().string(), pattern);
+}
+
+}  // namespace
+
+LoopGallery write_loop_pictures(const std::filesystem::path& folder, const Dataset& data,
+                                const std::vector<LoopCandidate>& candidates, LoopPictures which,
+                                std::size_t max_chosen, std::vector<std::string>& notes) {
+  LoopGallery gallery;
+  const auto indices = pictured(candidates, which);
+  if (indices.empty()) return gallery;
+  make_folder(folder / kFolder);
+  const auto on_page = chosen(candidates, indices, max_chosen);
+  ColorImages images(data, notes);
+  for (const std::size_t i : indices) {
+    const LoopCandidate& c = candidates[i];
+    const cv::Mat older = images.older(c.from);
+    const cv::Mat newer = images.newer(c.to);
+    const cv::Mat picture = draw_matches(older, newer, c.pixels, kWidth);
+    const auto name = fmt::format("{}_{:06}_{:06}.png", verdict_of(c), c.from, c.to);
+    write_file(folder / kFolder / name, encoded(".png", picture, {}));
+    ++gallery.files;
+    if (!on_page.contains(i)) continue;
+    gallery.chosen.push_back(
+        {c, encoded(".jpg", picture, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality})});
+  }
+  return gallery;
+}
+
+void remove_loop_pictures(const std::filesystem::path& folder) {
+  const auto loops = folder / kFolder;
+  std::error_code ignored;
+  // A link would lead to a folder that is not the run's.
+  if (!std::filesystem::is_directory(std::filesystem::symlink_status(loops, ignored))) return;
+  std::vector<std::filesystem::path> pictures;
+  bool has_others = false;
+  for (const auto& entry : std::filesystem::directory_iterator(loops, ignored)) {
+    if (is_loop_picture(entry.path())) {
+      pictures.push_back(entry.path());
+    } else {
+      has_others = true;
+    }
+  }
+  for (const auto& picture : pictures) remove_file(picture);
+  if (!has_others) remove_file(loops);
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/page/reasons.h"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <tuple>
+#include <utility>
+
+#include "cvo_slam/apps/graph_report.h"
+
+namespace cvo_slam {
+namespace {
+
+/// Adds a frame to the last span where it belongs to it: the frame before was lost too, for a like
+/// reason.
+bool extend(std::vector<LostSpan>& spans, std::size_t frame, const LostFrame& lost) {
+  LostSpan& span = spans.back();
+  const std::string kind = without_figures(lost.reason);
+  if (without_figures(span.reason) != kind) return false;
+  if (span.reason != lost.reason) span.reason = kind;
+  span.last = frame;
+  ++span.count;
+  return true;
+}
+
+}  // namespace
+
+std::string without_figures(std::string_view reason) {
+  static const std::regex figures(R"(-?\d+(\.\d+)*(e-?\d+)?)");
+  return std::regex_replace(std::string(reason), figures, "\xE2\x80\xA6");  // "…"
+}
+
+std::vector<LostSpan> lost_spans(const std::vector<FrameRecord>& records,
+                                 const std::vector<LostFrame>& lost) {
+  std::vector<LostSpan> spans;
+  auto next = lost.begin();
+  bool goes_on = false;
+  for (const FrameRecord& record : records) {
+    if (next == lost.end() || next->stamp != record.stamp) {
+      goes_on = false;
+      continue;
+    }
+    if (!goes_on || !extend(spans, record.index, *next)) {
+      spans.push_back({record.index, record.index, record.stamp, 1, next->reason});
+    }
+    goes_on = true;
+    ++next;
+  }
+  return spans;
+}
+
+std::vector<VerdictCount> count_verdicts(const std::vector<LoopCandidate>& candidates) {
+  std::map<std::string_view, VerdictCount> counts;
+  for (const LoopCandidate& candidate : candidates) {
+    VerdictCount& count = counts[name_of(candidate)];
+    ++(candidate.accepted ? count.accepted : count.rejected);
+  }
+  std::vector<VerdictCount> result;
+  result.reserve(counts.size());
+  for (auto& [name, count] : counts) {
+    count.found_by = name;
+    result.push_back(count);
+  }
+  return result;
+}
+
+std::vector<ReasonCount> count_reasons(const std::vector<LoopCandidate>& candidates) {
+  std::map<std::pair<std::string_view, std::string>, std::size_t> counts;
+  for (const LoopCandidate& candidate : candidates) {
+    if (candidate.accepted) continue;
+    ++counts[{name_of(candidate), without_figures(candidate.reason)}];
+  }
+  std::vector<ReasonCount> result;
+  result.reserve(counts.size());
+  for (const auto& [key, count] : counts) {
+    result.push_back({std::string(key.first), key.second, count});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const ReasonCount& a, const ReasonCount& b) {
+    return std::tie(a.found_by, b.count) < std::tie(b.found_by, a.count);
+  });
+  return result;
+}
+
+}  // namespace cvo_slam
