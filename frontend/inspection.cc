@@ -60,6 +60,7 @@ class ColumnFinder {
 std::vector<KernelEntry> kernel_matrix(const PointCloud& fixed, const PointCloud& moving,
                                        const SE3& T_fixed_moving, const KernelOptions& options,
                                        double length_scale) {
+  if (!(support_radius(options, length_scale) > 0)) return {};
   const ColumnFinder finder(fixed, options, length_scale);
   std::vector<KernelEntry> entries;
   for (std::uint32_t j = 0; j < moving.size(); ++j) {
