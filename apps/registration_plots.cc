@@ -3,15 +3,13 @@
 #include "cvo_slam/apps/registration_plots.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/sparsity_image.h"
+#include "cvo_slam/apps/step_plot.h"
 #include "cvo_slam/core/point_fusion.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/plot/plot_file.h"
@@ -29,8 +27,8 @@ void tint(std::vector<MapPoint>& points, Color color) {
     const auto& [red, green, blue] = point.color;
     const double light = (0.3 * red + 0.59 * green + 0.11 * blue) / 255;
     const auto shade = [&](std::uint8_t value) {
-      // From a third of the colour to two thirds of the way to white.
-      const double dark = value / 3.0;
+      // From half the colour to two thirds of the way to white.
+      const double dark = value / 2.0;
       const double bright = value + (255 - value) * 2 / 3.0;
       return static_cast<std::uint8_t>(std::lround(dark + light * (bright - dark)));
     };
@@ -99,7 +97,21 @@ Panel surface_panel(const std::string& title, const FramePair& pair, const SE3& 
   return panel;
 }
 
-Panel sparsity_panel(const FrameRegistration& registration, const SE3& T_a_b,
+/// The pixels of a's image at which points are, `T_a_points` moves them there; where one is behind
+/// the camera it is its own.
+std::vector<Eigen::Vector2d> pixels_in_a(const PointCloud& points, const SE3& T_a_points,
+                                         const PinholeCamera& camera) {
+  std::vector<Eigen::Vector2d> pixels;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector3 place = T_a_points * points.position(i);
+    pixels.push_back(place.z() > 0 ? camera.project(place)
+                                   : Eigen::Vector2d(points.u[i], points.v[i]));
+  }
+  return pixels;
+}
+
+/// Both clouds in the order in which a saw what they are registered to: that of the diagonal.
+Panel sparsity_panel(const FramePair& pair, const FrameRegistration& registration, const SE3& T_a_b,
                      const CloudSimilarity& similarity, const KernelOptions& kernel) {
   constexpr int kSide = 600;  // [px]
   const PointCloud& a = registration.points_a;
@@ -109,26 +121,15 @@ Panel sparsity_panel(const FrameRegistration& registration, const SE3& T_a_b,
   panel.title = fmt::format("{} entries, cos_theta {:.3f}", entries.size(), similarity.cos_theta);
   panel.x_label = fmt::format("{} points of b", b.size());
   panel.y_label = fmt::format("{} points of a", a.size());
-  panel.image = in_pixels(draw_sparsity(entries, a, b, {kSide, kSide}));
+  const PinholeCamera& camera = pair.camera.color;
+  const auto rows = ranks_along_curve(pixels_in_a(a, SE3(), camera));
+  const auto columns =
+      ranks_along_curve(pixels_in_a(b, registration.result.T_fixed_moving, camera));
+  panel.image = in_pixels(draw_sparsity(entries, rows, columns, {kSide, kSide}));
   panel.equal_aspect = true;
   panel.scales = false;
   panel.span = 3;
   return panel;
-}
-
-/// Samples of a curve; where it leaves [-limit, limit] it is broken.
-template <typename Curve>
-Series sampled(std::string label, double begin, double end, double limit, const Curve& curve) {
-  constexpr int kSamples = 200;
-  Series series;
-  series.label = std::move(label);
-  for (int i = 0; i <= kSamples; ++i) {
-    const double t = begin + (end - begin) * i / kSamples;
-    const double value = curve(t);
-    series.x.push_back(t);
-    series.y.push_back(std::abs(value) <= limit ? value : std::numeric_limits<double>::quiet_NaN());
-  }
-  return series;
 }
 
 void write_both(const std::filesystem::path& stem, const Figure& figure) {
@@ -148,55 +149,10 @@ Figure registration_figure(const FramePair& pair, const FrameRegistration& regis
   figure.width = 1300;
   figure.height = 1140;
   figure.panels = {surface_panel("before", pair, SE3(), view, *renderer),
-                   sparsity_panel(registration, SE3(), registration.before, kernel),
+                   sparsity_panel(pair, registration, SE3(), registration.before, kernel),
                    surface_panel(fmt::format("after {} iterations", registration.result.iterations),
                                  pair, T, view, *renderer),
-                   sparsity_panel(registration, T, registration.after, kernel)};
-  return figure;
-}
-
-Figure step_figure(const StepCurve& curve) {
-  Figure figure;
-  figure.width = 900;
-  figure.height = 620;
-  figure.panels = {
-      {fmt::format("Objective along a step of the flow, length scale {} m", curve.length_scale()),
-       "t",
-       "G(t) = F(h exp(t xi)) - F(h)",
-       {}}};
-  if (!curve.has_slope()) return figure;
-  const std::array<double, 2> steps = {curve.step(2), curve.step(4)};
-  const double longest = std::max(steps[0], steps[1]);
-  const double begin = -0.4 * longest;
-  const double end = 2.2 * longest;
-  const auto exact = [&](double t) { return curve.exact(t); };
-  const double limit = 1.3 * std::max({std::abs(exact(begin)), std::abs(exact(end)),
-                                       exact(steps[0]), exact(steps[1])});
-  auto& series = figure.panels[0].series;
-  const auto add = [&](Series line, Color color, double width, LinePattern pattern) {
-    line.color = color;
-    line.width = width;
-    line.pattern = pattern;
-    series.push_back(std::move(line));
-  };
-  add(sampled("exact", begin, end, limit, exact), kGrey, 5, LinePattern::kSolid);
-  constexpr std::array kOrders = {2, 4};
-  constexpr std::array kNames = {"2nd order", "4th order"};
-  constexpr std::array kColors = {kVermilion, kBlue};
-  constexpr std::array kPatterns = {LinePattern::kDashed, LinePattern::kSolid};
-  for (std::size_t i = 0; i < kOrders.size(); ++i) {
-    add(sampled(kNames.at(i), begin, end, limit,
-                [&](double t) { return curve.expanded(t, kOrders.at(i)); }),
-        kColors.at(i), 2, kPatterns.at(i));
-  }
-  for (std::size_t i = 0; i < kOrders.size(); ++i) {
-    series.push_back({fmt::format("its step, t = {:.3g}", steps.at(i)),
-                      {steps.at(i)},
-                      {exact(steps.at(i))},
-                      kColors.at(i),
-                      SeriesStyle::kPoints,
-                      6});
-  }
+                   sparsity_panel(pair, registration, T, registration.after, kernel)};
   return figure;
 }
 

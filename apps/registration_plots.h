@@ -6,7 +6,7 @@
 
 #include "cvo_slam/apps/frame_pair.h"
 #include "cvo_slam/apps/frame_registration.h"
-#include "cvo_slam/frontend/inspection.h"
+#include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/io/plot/figure.h"
 
 namespace cvo_slam {
@@ -17,10 +17,6 @@ namespace cvo_slam {
 [[nodiscard]] Figure registration_figure(const FramePair& pair,
                                          const FrameRegistration& registration,
                                          const KernelOptions& kernel);
-
-/// The objective along a step of the gradient flow, exact and expanded to second and fourth order,
-/// with the steps that the expansions choose.
-[[nodiscard]] Figure step_figure(const StepCurve& curve);
 
 /// Writes registration.{png,svg} and, of the first step of the flow at the first length scale,
 /// step.{png,svg} into the folder, which is made where it is missing. Throws OutputError.

@@ -34,43 +34,44 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, unsigned bits) {
   return index;
 }
 
-/// The rank of each point along the curve.
-std::vector<std::size_t> ranks(const PointCloud& cloud) {
-  constexpr unsigned kBits = 12;  // images of up to 4096 pixels
-  std::vector<std::pair<std::uint64_t, std::size_t>> keys;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    keys.emplace_back(hilbert_index(static_cast<std::uint32_t>(std::lround(cloud.u[i])),
-                                    static_cast<std::uint32_t>(std::lround(cloud.v[i])), kBits),
-                      i);
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<std::size_t> result(cloud.size());
-  for (std::size_t rank = 0; rank < keys.size(); ++rank) result[keys[rank].second] = rank;
-  return result;
-}
-
 /// The number of entries in each pixel.
-cv::Mat count_entries(const std::vector<KernelEntry>& entries, const PointCloud& fixed,
-                      const PointCloud& moving, cv::Size size) {
-  const auto rows = ranks(fixed);
-  const auto columns = ranks(moving);
+cv::Mat count_entries(const std::vector<KernelEntry>& entries, const std::vector<std::size_t>& rows,
+                      const std::vector<std::size_t>& columns, cv::Size size) {
   const auto pixel = [](std::size_t rank, std::size_t count, int length) {
     return static_cast<int>(rank * static_cast<std::size_t>(length) / count);
   };
   cv::Mat counts = cv::Mat::zeros(size, CV_32FC1);
   for (const KernelEntry& entry : entries) {
-    counts.at<float>(pixel(rows[entry.fixed], fixed.size(), size.height),
-                     pixel(columns[entry.moving], moving.size(), size.width)) += 1;
+    counts.at<float>(pixel(rows[entry.fixed], rows.size(), size.height),
+                     pixel(columns[entry.moving], columns.size(), size.width)) += 1;
   }
   return counts;
 }
 
 }  // namespace
 
-cv::Mat draw_sparsity(const std::vector<KernelEntry>& entries, const PointCloud& fixed,
-                      const PointCloud& moving, cv::Size size) {
-  const cv::Mat counts = count_entries(entries, fixed, moving, size);
-  const double places = static_cast<double>(fixed.size()) * static_cast<double>(moving.size());
+std::vector<std::size_t> ranks_along_curve(const std::vector<Eigen::Vector2d>& pixels) {
+  constexpr unsigned kBits = 12;
+  constexpr double kLast = (1U << kBits) - 1;
+  const auto cell = [&](double coordinate) {
+    return static_cast<std::uint32_t>(std::lround(std::clamp(coordinate, 0.0, kLast)));
+  };
+  std::vector<std::pair<std::uint64_t, std::size_t>> keys;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    keys.emplace_back(hilbert_index(cell(pixels[i].x()), cell(pixels[i].y()), kBits), i);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::size_t> result(pixels.size());
+  for (std::size_t rank = 0; rank < keys.size(); ++rank) result[keys[rank].second] = rank;
+  return result;
+}
+
+cv::Mat draw_sparsity(const std::vector<KernelEntry>& entries,
+                      const std::vector<std::size_t>& fixed_ranks,
+                      const std::vector<std::size_t>& moving_ranks, cv::Size size) {
+  const cv::Mat counts = count_entries(entries, fixed_ranks, moving_ranks, size);
+  const double places =
+      static_cast<double>(fixed_ranks.size()) * static_cast<double>(moving_ranks.size());
   // How many entries a pixel can hold.
   const double most = std::max(1.0, places / size.area());
   // One entry is grey enough to be seen in print.

@@ -69,16 +69,15 @@ class StepCurve {
 
  private:
   struct Pair {
-    Vector3 fixed;   ///< x
-    Vector3 moving;  ///< z~ = T z at t = 0
-    double c = 0;
+    Vector3 fixed;      ///< x
+    Vector3 moving;     ///< z~ = T z at t = 0
+    double weight = 0;  ///< c k at t = 0
   };
 
   std::vector<Pair> pairs_;
   Vector3 omega_ = Vector3::Zero();
   Vector3 v_ = Vector3::Zero();
   std::array<double, 4> coefficients_{};
-  double peak_ = 0;  ///< sigma^2
   double length_scale_ = 0;
   double fallback_step_ = 0;
 };

@@ -19,8 +19,7 @@ Options checked(Options options) {
 
 StepCurve::StepCurve(const PointCloud& fixed, const PointCloud& moving, const SE3& T_fixed_moving,
                      const KernelOptions& kernel, const FlowOptions& flow, double length_scale)
-    : peak_(kernel.sigma * kernel.sigma),
-      length_scale_(length_scale),
+    : length_scale_(length_scale),
       fallback_step_(flow.fallback_step * length_scale * length_scale) {
   const FlowOptions options = checked(flow);
   Objective level;
@@ -36,8 +35,8 @@ StepCurve::StepCurve(const PointCloud& fixed, const PointCloud& moving, const SE
   coefficients_ = step_expansion(objective, T_fixed_moving, direction);
   for (const KernelEntry& entry :
        kernel_matrix(fixed, moving, T_fixed_moving, kernel, length_scale)) {
-    pairs_.push_back(
-        {fixed.position(entry.fixed), T_fixed_moving * moving.position(entry.moving), entry.c});
+    pairs_.push_back({fixed.position(entry.fixed), T_fixed_moving * moving.position(entry.moving),
+                      entry.c * entry.k});
   }
 }
 
@@ -51,9 +50,9 @@ double StepCurve::exact(double t) const {
     const double before = (pair.fixed - pair.moving).squaredNorm();
     const double after = (pair.fixed - motion * pair.moving).squaredNorm();
     // Their difference is small where t is: expm1 keeps its digits.
-    sum += pair.c * std::exp(-inv2 / 2 * before) * std::expm1(-inv2 / 2 * (after - before));
+    sum += pair.weight * std::expm1(-inv2 / 2 * (after - before));
   }
-  return peak_ * sum;
+  return sum;
 }
 
 double StepCurve::expanded(double t, int order) const {
