@@ -14,11 +14,6 @@
 namespace cvo_slam {
 namespace {
 
-void write_figure(const std::filesystem::path& stem, const Figure& figure) {
-  write_png(stem.string() + ".png", figure);
-  write_svg(stem.string() + ".svg", figure);
-}
-
 std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
   std::vector<ErrorCurve> curves;
   if (report.ate) curves.push_back({"ATE", report.ate->errors});
@@ -28,10 +23,15 @@ std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
   return curves;
 }
 
-/// The part of the reference from the estimate's begin to its end; `offset` [s] is what leads from
-/// the estimate's stamps to the reference's.
-std::vector<StampedPose> during(const std::vector<StampedPose>& reference,
-                                const std::vector<StampedPose>& estimate, double offset) {
+}  // namespace
+
+void write_figure(const std::filesystem::path& stem, const Figure& figure) {
+  write_png(stem.string() + ".png", figure);
+  write_svg(stem.string() + ".svg", figure);
+}
+
+std::vector<StampedPose> reference_during(const std::vector<StampedPose>& reference,
+                                          const std::vector<StampedPose>& estimate, double offset) {
   const std::int64_t shift = std::llround(offset * 1e9);
   const std::int64_t begin = estimate.front().stamp.nanoseconds() + shift;
   const std::int64_t end = estimate.back().stamp.nanoseconds() + shift;
@@ -43,8 +43,6 @@ std::vector<StampedPose> during(const std::vector<StampedPose>& reference,
   return part.empty() ? reference : part;
 }
 
-}  // namespace
-
 void write_evaluation_plots(const std::filesystem::path& folder,
                             const std::vector<StampedPose>& reference,
                             const std::vector<StampedPose>& estimate,
@@ -52,8 +50,9 @@ void write_evaluation_plots(const std::filesystem::path& folder,
   make_folder(folder);
   const Similarity alignment = report.ate ? report.ate->alignment : Similarity();
   const double offset = report.options.association.time_offset;
-  write_figure(folder / "trajectory", trajectory_figure(during(reference, estimate, offset),
-                                                        transformed(alignment, estimate)));
+  write_figure(folder / "trajectory",
+               trajectory_figure(reference_during(reference, estimate, offset),
+                                 transformed(alignment, estimate)));
   write_figure(folder / "errors", error_figure(curves_of(report)));
 }
 

@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/sparsity_image.h"
 #include "cvo_slam/apps/step_plot.h"
 #include "cvo_slam/core/point_fusion.h"
 #include "cvo_slam/io/file_output.h"
-#include "cvo_slam/io/plot/plot_file.h"
 #include "cvo_slam/io/render/picture.h"
 
 namespace cvo_slam {
@@ -132,11 +132,6 @@ Panel sparsity_panel(const FramePair& pair, const FrameRegistration& registratio
   return panel;
 }
 
-void write_both(const std::filesystem::path& stem, const Figure& figure) {
-  write_png(stem.string() + ".png", figure);
-  write_svg(stem.string() + ".svg", figure);
-}
-
 }  // namespace
 
 Figure registration_figure(const FramePair& pair, const FrameRegistration& registration,
@@ -160,10 +155,10 @@ void write_registration_plots(const std::filesystem::path& folder, const FramePa
                               const FrameRegistration& registration,
                               const RegistrationOptions& options) {
   make_folder(folder);
-  write_both(folder / "registration", registration_figure(pair, registration, options.kernel));
+  write_figure(folder / "registration", registration_figure(pair, registration, options.kernel));
   const StepCurve curve(registration.points_a, registration.points_b, SE3(), options.kernel,
                         options.flow, options.length_scales.front());
-  write_both(folder / "step", step_figure(curve));
+  write_figure(folder / "step", step_figure(curve));
 }
 
 }  // namespace cvo_slam
