@@ -49,7 +49,6 @@ void add_align_command(CLI::App& app, Action& action) {
       ->add_option("inputs", arguments->inputs,
                    "Folder of a sequence and two of its frames, each a number or a stamp (with a "
                    "point); or four images: colour and depth of a, colour and depth of b")
-      ->expected(3, 4)
       ->required();
   command->add_option("--camera", arguments->camera,
                       "Camera file, or name of a built-in camera (default: the sequence's own)");

@@ -138,8 +138,8 @@ FramePair read_frame_pair(const std::vector<std::string>& words, const std::stri
   if (words.size() == 3) return pair_of_sequence(words, camera);
   if (words.size() == 4) return pair_of_images(words, camera);
   throw OptionError(
-      fmt::format("{} arguments: name a sequence and two of its frames, or the colour and depth "
-                  "image of each of two frames",
+      fmt::format("3 or 4 arguments are needed, not {}: a sequence and two of its frames, or the "
+                  "colour and the depth image of each of two frames",
                   words.size()));
 }
 

@@ -158,7 +158,7 @@ TEST_F(AlignCommand, UnknownFramesAreAClearLine) {
                "frame 'one' is neither a number nor a stamp; write e.g. 12");
   expect_error(align({"0", "99.5"}), 2, "frame 99.5: no frame has a stamp within 0.02 s");
   expect_error(align({"2", "2"}), 2, "2 and 2 are both frame 2; name two frames");
-  expect_error(align({"0"}), 2, "inputs");
+  expect_error(align({"0"}), 2, "3 or 4 arguments are needed, not 2: a sequence and");
   expect_error(run_program({"align", "/nowhere", "0", "1"}), 2, "/nowhere");
 }
 
