@@ -69,7 +69,7 @@ render::View view_beside(const FramePair& pair, double depth) {
   view.camera = {.width = static_cast<int>(kWidth),
                  .height = static_cast<int>(std::lround(scale * camera.height)),
                  .fx = scale * std::abs(camera.fx),
-                 .fy = scale * std::abs(camera.fx),
+                 .fy = scale * camera.fy,  // negative where y is up
                  .cx = (kWidth - 1) / 2,
                  .cy = (scale * camera.height - 1) / 2};
   const Matrix3 rotation = so3_exp({0, kAzimuth, 0}) * so3_exp({kElevation, 0, 0});
