@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cvo_slam/frontend/neighbor_grid_internal.h"
 
@@ -74,7 +75,7 @@ CloudSimilarity similarity(const PointCloud& fixed, const PointCloud& moving,
                            const SE3& T_fixed_moving, const KernelOptions& options,
                            double length_scale) {
   CloudSimilarity result;
-  constexpr std::uint32_t kNone = -1;
+  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t last = kNone;
   std::size_t matched = 0;
   for (const KernelEntry& entry :
