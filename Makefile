@@ -7,9 +7,10 @@
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
 
-# DATASET is a recorded sequence for `make demo`; empty = a synthetic room.
+# DATASET is a recorded sequence for `make demo`; empty = a synthetic room. Likewise for `make
+# reproduce-paper`; empty = fr1/rpy.
 DATASET ?=
-# OUT is where `make demo` leaves its files.
+# OUT is where `make demo` and `make reproduce-paper` leave their files.
 OUT ?= results/demo
 # PREFIX is where `make install` puts the program and the libraries.
 PREFIX ?= /usr/local
@@ -29,7 +30,7 @@ CLANG_FORMATTED = $(shell git ls-files --cached --others --exclude-standard '*.h
 
 .PHONY: help
 help: ## This list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-15s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 	@echo "Variables: DATASET=$(DATASET) OUT=$(OUT) PREFIX=$(PREFIX) JOBS=$(JOBS)"
 
 .PHONY: demo
@@ -67,6 +68,12 @@ robustness: build-release ## Run synthetic worlds and thinned sequences, write d
 .PHONY: pictures
 pictures: program $(ROOM)/groundtruth.txt ## Draw the pictures of docs/rendering.md and README.md
 	bench/draw_pictures.sh $(PROGRAM) $(ROOM)
+
+# Of fr1/rpy below CVO_SLAM_DATA, or of DATASET; into OUT, by default results/paper.
+.PHONY: reproduce-paper
+reproduce-paper: OUT = results/paper
+reproduce-paper: program ## Draw the three figures of the CVO paper (4 minutes)
+	bench/reproduce_paper.sh $(PROGRAM) "$(DATASET)" "$(OUT)"
 
 .PHONY: bench
 bench: build-bench ## Micro-benchmarks

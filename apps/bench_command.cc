@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <opencv2/core/utility.hpp>
 
+#include "cvo_slam/apps/benchmark_plots.h"
 #include "cvo_slam/apps/benchmark_report.h"
 #include "cvo_slam/apps/command.h"
 #include "cvo_slam/apps/odometry_benchmark.h"
@@ -26,6 +27,7 @@ struct BenchArguments {
   TrackingArguments tracking;
   std::vector<std::string> systems = odometry_system_names();
   std::filesystem::path out;
+  std::filesystem::path plot;
   bool quiet = false;
   bool json = false;
 };
@@ -47,13 +49,24 @@ void write_trajectories(const std::filesystem::path& folder, const OdometryBench
   }
 }
 
+void check_reference(const Dataset& data) {
+  if (!data.reference().empty()) return;
+  throw OptionError(
+      fmt::format("--plot: {} has no ground truth to draw errors from; leave it out, or "
+                  "take a sequence that has one",
+                  data.name()));
+}
+
 int bench_odometry(const BenchArguments& arguments) {
   const TrackerOptions options = tracker_options(arguments.tracking);
   const auto data = arguments.tracking.open();
   const FrameRange frames = arguments.tracking.range(data->size());
   const auto contestants = make_contestants(arguments.systems, data->camera(), options);
+  if (!arguments.plot.empty()) check_reference(*data);
   // Before the work, so that an unusable folder is known at once.
-  if (!arguments.out.empty()) make_folder(arguments.out);
+  for (const auto& folder : {arguments.out, arguments.plot}) {
+    if (!folder.empty()) make_folder(folder);
+  }
 
   cv::setNumThreads(1);  // for the whole process, which is this program's own
   Progress progress(frames.size(), arguments.quiet);
@@ -61,6 +74,7 @@ int bench_odometry(const BenchArguments& arguments) {
       run_odometry_benchmark(*data, frames, contestants,
                              [&](std::size_t done, std::size_t) { progress.update(done, ""); });
   if (!arguments.out.empty()) write_trajectories(arguments.out, benchmark);
+  if (!arguments.plot.empty()) write_benchmark_plots(arguments.plot, *data, benchmark);
   fmt::print(
       "{}", arguments.json ? to_json(*data, benchmark).dump(2) + "\n" : to_table(*data, benchmark));
   return kDone;
@@ -82,6 +96,9 @@ void add_bench_command(CLI::App& app, Action& action) {
       ->delimiter(',');
   command->add_option("--out", arguments->out,
                       "Folder for the trajectories, <system>.txt in TUM format");
+  command->add_option("--plot", arguments->plot,
+                      "Folder for odometry.png and odometry.svg: distributions of the errors frame "
+                      "to frame, and top views; needs ground truth");
   command->add_flag("--quiet", arguments->quiet, "No progress");
   command->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
   command->callback(

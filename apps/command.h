@@ -25,6 +25,7 @@ enum ExitCode : int {
 
 void add_run_command(CLI::App& app, Action& action);
 void add_eval_command(CLI::App& app, Action& action);
+void add_align_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_synth_command(CLI::App& app, Action& action);
 void add_optimize_command(CLI::App& app, Action& action);

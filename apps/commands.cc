@@ -7,6 +7,7 @@ namespace cvo_slam {
 void add_commands(CLI::App& app, Action& action) {
   add_run_command(app, action);
   add_eval_command(app, action);
+  add_align_command(app, action);
   add_info_command(app, action);
   add_synth_command(app, action);
   add_optimize_command(app, action);

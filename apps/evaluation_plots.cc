@@ -23,10 +23,15 @@ std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
   return curves;
 }
 
-/// The part of the reference from the estimate's begin to its end; `offset` [s] is what leads from
-/// the estimate's stamps to the reference's.
-std::vector<StampedPose> during(const std::vector<StampedPose>& reference,
-                                const std::vector<StampedPose>& estimate, double offset) {
+}  // namespace
+
+void write_figure(const std::filesystem::path& stem, const Figure& figure) {
+  write_png(stem.string() + ".png", figure);
+  write_svg(stem.string() + ".svg", figure);
+}
+
+std::vector<StampedPose> reference_during(const std::vector<StampedPose>& reference,
+                                          const std::vector<StampedPose>& estimate, double offset) {
   const std::int64_t shift = std::llround(offset * 1e9);
   const std::int64_t begin = estimate.front().stamp.nanoseconds() + shift;
   const std::int64_t end = estimate.back().stamp.nanoseconds() + shift;
@@ -38,14 +43,12 @@ std::vector<StampedPose> during(const std::vector<StampedPose>& reference,
   return part.empty() ? reference : part;
 }
 
-}  // namespace
-
 std::vector<NamedFigure> evaluation_figures(const std::vector<StampedPose>& reference,
                                             const std::vector<StampedPose>& estimate,
                                             const EvaluationReport& report) {
   const Similarity alignment = report.ate ? report.ate->alignment : Similarity();
   const double offset = report.options.association.time_offset;
-  return {{"trajectory", trajectory_figure(during(reference, estimate, offset),
+  return {{"trajectory", trajectory_figure(reference_during(reference, estimate, offset),
                                            transformed(alignment, estimate))},
           {"errors", error_figure(curves_of(report))}};
 }
@@ -53,8 +56,7 @@ std::vector<NamedFigure> evaluation_figures(const std::vector<StampedPose>& refe
 void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures) {
   make_folder(folder);
   for (const NamedFigure& named : figures) {
-    write_png(folder / (named.name + ".png"), named.figure);
-    write_svg(folder / (named.name + ".svg"), named.figure);
+    write_figure(folder / named.name, named.figure);
   }
 }
 

@@ -18,6 +18,15 @@ struct NamedFigure {
   Figure figure;
 };
 
+/// Writes <stem>.png and <stem>.svg. Throws OutputError.
+void write_figure(const std::filesystem::path& stem, const Figure& figure);
+
+/// The part of the reference from the estimate's begin to its end; all of it where that is empty.
+/// `offset` [s] is what leads from the estimate's stamps to the reference's.
+[[nodiscard]] std::vector<StampedPose> reference_during(const std::vector<StampedPose>& reference,
+                                                        const std::vector<StampedPose>& estimate,
+                                                        double offset = 0);
+
 /// "trajectory", the aligned estimate against the reference, and "errors", the errors over time.
 [[nodiscard]] std::vector<NamedFigure> evaluation_figures(const std::vector<StampedPose>& reference,
                                                           const std::vector<StampedPose>& estimate,

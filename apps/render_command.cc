@@ -205,7 +205,7 @@ void add_options(CLI::App& command, RenderArguments& arguments) {
       ->capture_default_str();
   command
       .add_option("--backend", arguments.renderer,
-                  "auto, osmesa, egl or splat; auto = osmesa, or splat where it is not installed "
+                  "auto, osmesa, egl or splat; auto = osmesa, or splat where that does not work "
                   "(default auto)")
       ->transform(choice(render::renderer_names()));
   command

@@ -47,12 +47,7 @@ OptionSet describe(ProgramOptions& o) {
       .add("map", describe(o.map));
 }
 
-void TrackingArguments::add_to(CLI::App& command) {
-  command.add_option("dataset", dataset, "Folder of a sequence: TUM RGB-D, ICL-NUIM or 7-Scenes");
-  command.add_option("--camera", camera,
-                     "Camera file, or name of a built-in camera (default: the sequence's own)");
-  command.add_option("--frames", frames,
-                     "Only frames a to b-1, as a:b, a: or :b; every n-th of them as a:b:n");
+void OptionArguments::add_to(CLI::App& command) {
   command.add_option("--preset", preset, "Options to start from; paper = the CVO paper's protocol")
       ->check(CLI::IsMember({"paper"}));
   command.add_option("--config", config, "YAML file of options; see --dump-config of run");
@@ -65,6 +60,15 @@ void TrackingArguments::add_to(CLI::App& command) {
       ->capture_default_str();
 }
 
+void TrackingArguments::add_to(CLI::App& command) {
+  command.add_option("dataset", dataset, "Folder of a sequence: TUM RGB-D, ICL-NUIM or 7-Scenes");
+  command.add_option("--camera", camera,
+                     "Camera file, or name of a built-in camera (default: the sequence's own)");
+  command.add_option("--frames", frames,
+                     "Only frames a to b-1, as a:b, a: or :b; every n-th of them as a:b:n");
+  OptionArguments::add_to(command);
+}
+
 std::unique_ptr<Dataset> TrackingArguments::open() const {
   if (dataset.empty()) throw OptionError("no dataset given: name the folder of a sequence");
   DatasetOptions dataset_options;
@@ -72,7 +76,7 @@ std::unique_ptr<Dataset> TrackingArguments::open() const {
   return open_dataset(dataset, dataset_options);
 }
 
-ProgramOptions TrackingArguments::options() const {
+ProgramOptions OptionArguments::options() const {
   pin_simd_path(simd);
   ProgramOptions result;
   if (preset == "paper") result.tracker = paper_options();

@@ -37,26 +37,34 @@ struct FrameRange {
   [[nodiscard]] std::size_t size() const { return (end - begin + step - 1) / step; }
 };
 
-/// What `run` and `bench` have in common on the command line: which frames of which sequence, and
-/// with which options.
-struct TrackingArguments {
-  std::filesystem::path dataset;
-  std::string camera;  ///< file or built-in name; empty = the sequence's own
-  std::string frames;  ///< "a:b", "a:", ":b" or "a:b:step"; empty = all
+/// Where a command's options come from.
+struct OptionArguments {
   std::string preset;
   std::filesystem::path config;
   std::vector<std::string> settings;  ///< "key=value" each
   std::optional<int> threads;
   std::string simd = "best";
 
+  /// Declares them on a subcommand.
+  void add_to(CLI::App& command);
+
+  /// The preset, then the configuration file, then each --set, then --threads: the last one wins.
+  /// Pins the SIMD path.
+  [[nodiscard]] ProgramOptions options() const;
+};
+
+/// What `run` and `bench` have in common on the command line: which frames of which sequence, and
+/// with which options.
+struct TrackingArguments : OptionArguments {
+  std::filesystem::path dataset;
+  std::string camera;  ///< file or built-in name; empty = the sequence's own
+  std::string frames;  ///< "a:b", "a:", ":b" or "a:b:step"; empty = all
+
   /// Declares the options on a subcommand.
   void add_to(CLI::App& command);
 
   /// Throws InputError where the sequence cannot be opened.
   [[nodiscard]] std::unique_ptr<Dataset> open() const;
-  /// The preset, then the configuration file, then each --set, then --threads: the last one wins.
-  /// Pins the SIMD path.
-  [[nodiscard]] ProgramOptions options() const;
   /// Throws OptionError where the range is malformed or empty for a sequence of `size` frames.
   [[nodiscard]] FrameRange range(std::size_t size) const;
 };

@@ -2,21 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/dataset.h"
 
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
-#include <opencv2/core.hpp>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/depth_registration.h"
-#include "cvo_slam/io/image_file_internal.h"
+#include "cvo_slam/io/frame_reader_internal.h"
 #include "cvo_slam/io/sequence_internal.h"
 
 namespace cvo_slam {
 namespace {
-
-cv::Size image_size(const PinholeCamera& camera) { return {camera.width, camera.height}; }
 
 void note_unpaired(Sequence& sequence) {
   const auto& [color, depth] = sequence.unpaired;
@@ -28,9 +23,9 @@ void note_unpaired(Sequence& sequence) {
 /// The frames of a Sequence, read from their files when asked for.
 class SequenceDataset final : public Dataset {
  public:
-  explicit SequenceDataset(Sequence sequence) : sequence_(std::move(sequence)) {
+  explicit SequenceDataset(Sequence sequence)
+      : sequence_(std::move(sequence)), reader_(sequence_.camera, sequence_.invalid_depth) {
     note_unpaired(sequence_);
-    if (sequence_.camera.depth) registration_.emplace(sequence_.camera);
   }
 
   [[nodiscard]] const std::string& name() const override { return sequence_.name; }
@@ -53,8 +48,7 @@ class SequenceDataset final : public Dataset {
     frame.stamp = files.stamp;
     frame.depth_stamp = files.depth_stamp;
     try {
-      frame.color = read_color_image(files.color, image_size(sequence_.camera.color));
-      frame.depth = read_depth(files.depth);
+      reader_.read(files.color, files.depth, frame);
     } catch (const InputError& error) {
       frame.color.release();
       frame.problem = error.what();
@@ -63,18 +57,8 @@ class SequenceDataset final : public Dataset {
   }
 
  private:
-  [[nodiscard]] cv::Mat read_depth(const std::filesystem::path& file) const {
-    const Camera& camera = sequence_.camera;
-    const PinholeCamera& pinhole = camera.depth ? camera.depth->pinhole : camera.color;
-    cv::Mat depth = read_depth_image(file, image_size(pinhole));
-    if (sequence_.invalid_depth != 0) depth.setTo(0, depth == sequence_.invalid_depth);
-    if (registration_) depth = registration_->to_color(depth);
-    if (cv::countNonZero(depth) == 0) throw InputError(file, "the depth image has no valid pixel");
-    return depth;
-  }
-
   Sequence sequence_;
-  std::optional<DepthRegistration> registration_;
+  FrameReader reader_;
 };
 
 Sequence open_sequence(const std::filesystem::path& folder, const DatasetOptions& options) {

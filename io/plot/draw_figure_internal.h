@@ -7,7 +7,7 @@
 
 namespace cvo_slam {
 
-/// Throws OptionError for a size or number of columns that cannot be drawn.
+/// Throws OptionError for a size, a number of columns or an image that cannot be drawn.
 void check_size(const Figure& figure);
 
 /// Lays the figure out and draws it. Throws as check_size() does.

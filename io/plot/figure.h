@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <opencv2/core/mat.hpp>
 
 namespace cvo_slam {
 
@@ -26,6 +29,9 @@ inline constexpr Color kGrey{153, 153, 153};
 
 enum class SeriesStyle { kLine, kPoints };
 
+/// What tells lines apart where there are no colours.
+enum class LinePattern { kSolid, kDashed, kDotted, kDashDotted };
+
 /// One curve or cloud of points. Where x or y is not finite, or beyond 1e12, there is no point and
 /// a line is broken; where one list is longer its tail is ignored. A line of one point is a dot.
 struct Series {
@@ -35,7 +41,24 @@ struct Series {
   Color color = kBlue;
   SeriesStyle style = SeriesStyle::kLine;
   double width = 1.5;  ///< of the line, or the radius of a point [px]
+  LinePattern pattern = LinePattern::kSolid;
 };
+
+/// A picture inside the axes, below the series.
+struct PanelImage {
+  cv::Mat pixels;  ///< CV_8UC3: blue, green, red; not empty
+  /// Where its edges are on the axes; min < max.
+  double x_min = 0;
+  double x_max = 1;
+  double y_min = 0;
+  double y_max = 1;
+};
+
+/// The picture with each of its pixels a unit of both axes, x to the right from 0 and y up to 0:
+/// the pixel (u, v) begins at (u, -v).
+[[nodiscard]] inline PanelImage in_pixels(const cv::Mat& pixels) {
+  return {pixels, 0, static_cast<double>(pixels.cols), -static_cast<double>(pixels.rows), 0};
+}
 
 /// One pair of axes. Without any point it says so.
 struct Panel {
@@ -45,9 +68,14 @@ struct Panel {
   std::vector<Series> series;
   bool equal_aspect = false;  ///< a metre is as long along x as along y
   bool y_from_zero = false;   ///< for errors: the y axis starts at zero
+  /// The axes end where the picture does, and with equal_aspect its sides keep their ratio.
+  std::optional<PanelImage> image = {};
+  bool scales = true;  ///< numbers and lines of a grid; without them there is a frame
+  int span = 1;        ///< columns of the figure that it takes, at most all
 };
 
-/// A picture of panels in rows; the legend stands above them, once for all. PNG knows ASCII only:
+/// A picture of panels in rows, filled from the left as far as they fit; the legend stands above
+/// them, once for all. PNG knows ASCII only:
 /// any other character becomes '?'.
 struct Figure {
   std::string title;

@@ -10,7 +10,7 @@
 namespace cvo_slam {
 
 /// The figure as SVG 1.1 text; the same figure gives the same bytes.
-/// Throws OptionError for an impossible size or number of columns, as the writers do.
+/// Throws OptionError for an impossible size, number of columns or image, as the writers do.
 [[nodiscard]] std::string to_svg(const Figure& figure);
 
 /// The figure as the bytes of a PNG of its size in pixels.

@@ -8,7 +8,9 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/file_output.h"
+#include "cvo_slam/io/plot/dashed_line_internal.h"
 #include "cvo_slam/io/plot/draw_figure_internal.h"
+#include "cvo_slam/io/plot/encode_png_internal.h"
 #include "cvo_slam/io/plot/image_text.h"
 #include "cvo_slam/io/plot/plot_file.h"
 
@@ -33,6 +35,10 @@ cv::Point fixed_point(CanvasPoint point) {
 
 int thickness_of(double width) {
   return std::max(1, static_cast<int>(std::lround(width * kOversampling)));
+}
+
+int pixel_of(double coordinate) {
+  return static_cast<int>(std::lround(coordinate * kOversampling));
 }
 
 /// A text as a small picture, dark on white, and where its base line is.
@@ -71,10 +77,25 @@ class PngCanvas : public Canvas {
       : size_(width, height),
         image_(height * kOversampling, width * kOversampling, CV_8UC3, cv::Scalar::all(255)) {}
 
-  void polyline(const std::vector<CanvasPoint>& points, Color color, double width) override {
-    std::vector<cv::Point> fixed(points.size());
-    std::transform(points.begin(), points.end(), fixed.begin(), fixed_point);
-    cv::polylines(image_, fixed, false, bgr(color), thickness_of(width), cv::LINE_AA, kShift);
+  void polyline(const std::vector<CanvasPoint>& points, const LineStyle& style) override {
+    for (const auto& stroke : strokes_of(points, dashes(style))) {
+      std::vector<cv::Point> fixed(stroke.size());
+      std::transform(stroke.begin(), stroke.end(), fixed.begin(), fixed_point);
+      cv::polylines(image_, fixed, false, bgr(style.color), thickness_of(style.width), cv::LINE_AA,
+                    kShift);
+    }
+  }
+
+  void image(const CanvasRectangle& place, const cv::Mat& pixels) override {
+    const cv::Rect whole(0, 0, image_.cols, image_.rows);
+    const cv::Point upper_left(pixel_of(place.left), pixel_of(place.top));
+    const cv::Rect target(upper_left, cv::Point(pixel_of(place.right), pixel_of(place.bottom)));
+    const cv::Rect seen = target & whole;
+    if (seen.empty()) return;
+    cv::Mat scaled;
+    const bool shrinks = target.width < pixels.cols;
+    cv::resize(pixels, scaled, target.size(), 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+    scaled(seen - upper_left).copyTo(image_(seen));
   }
 
   void disc(CanvasPoint center, double radius, Color color) override {
@@ -88,8 +109,7 @@ class PngCanvas : public Canvas {
     const TextImage rendered = render_text(text, style);
     const int before =
         static_cast<int>(std::lround(share_before(style.anchor) * rendered.pixels.cols));
-    cv::Point origin(static_cast<int>(std::lround(position.x * kOversampling)),
-                     static_cast<int>(std::lround(position.y * kOversampling)));
+    const cv::Point origin(pixel_of(position.x), pixel_of(position.y));
     if (!style.vertical) {
       paste(rendered.pixels, origin - cv::Point(before, rendered.baseline));
       return;
@@ -121,13 +141,17 @@ class PngCanvas : public Canvas {
 
 }  // namespace
 
+std::string encode_png(const cv::Mat& image) {
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(".png", image, bytes)) throw Error("OpenCV cannot encode PNG");
+  return {bytes.begin(), bytes.end()};
+}
+
 std::string to_png(const Figure& figure) {
   check_size(figure);
   PngCanvas canvas(figure.width, figure.height);
   draw_figure(figure, canvas);
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", canvas.image(), bytes)) throw Error("OpenCV cannot encode PNG");
-  return {bytes.begin(), bytes.end()};
+  return encode_png(canvas.image());
 }
 
 void write_png(const std::filesystem::path& file, const Figure& figure) {

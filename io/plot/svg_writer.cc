@@ -4,9 +4,12 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "cvo_slam/io/base64.h"
 #include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/plot/draw_figure_internal.h"
+#include "cvo_slam/io/plot/encode_png_internal.h"
 #include "cvo_slam/io/plot/plot_file.h"
 
 namespace cvo_slam {
@@ -57,13 +60,29 @@ std::string_view name_of(TextAnchor anchor) {
 
 class SvgCanvas : public Canvas {
  public:
-  void polyline(const std::vector<CanvasPoint>& points, Color color, double width) override {
+  void polyline(const std::vector<CanvasPoint>& points, const LineStyle& style) override {
     body_ += R"(<polyline fill="none" points=")";
     for (const auto& point : points) {
       body_ += fmt::format("{}{},{}", &point == points.data() ? "" : " ", rounded(point.x),
                            rounded(point.y));
     }
-    body_ += fmt::format("\" stroke=\"{}\" stroke-width=\"{}\"/>\n", hex(color), rounded(width));
+    body_ +=
+        fmt::format("\" stroke=\"{}\" stroke-width=\"{}\"", hex(style.color), rounded(style.width));
+    std::vector<double> lengths = dashes(style);
+    for (double& length : lengths) length = rounded(length);
+    if (!lengths.empty()) {
+      body_ += fmt::format(" stroke-dasharray=\"{}\"", fmt::join(lengths, " "));
+    }
+    body_ += "/>\n";
+  }
+
+  void image(const CanvasRectangle& place, const cv::Mat& pixels) override {
+    body_ += fmt::format(
+        "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+        "xlink:href=\"data:image/png;base64,{}\"/>\n",
+        rounded(place.left), rounded(place.top), rounded(place.width()), rounded(place.height()),
+        to_base64(encode_png(pixels)));
+    has_image_ = true;
   }
 
   void disc(CanvasPoint center, double radius, Color color) override {
@@ -85,16 +104,17 @@ class SvgCanvas : public Canvas {
   [[nodiscard]] std::string document(int width, int height) const {
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" "
-        "viewBox=\"0 0 {0} {1}\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" {3}version=\"1.1\" width=\"{0}\" "
+        "height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
         "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
         "<g font-family=\"Helvetica, Arial, sans-serif\" stroke-linejoin=\"round\">\n"
         "{2}</g>\n</svg>\n",
-        width, height, body_);
+        width, height, body_, has_image_ ? "xmlns:xlink=\"http://www.w3.org/1999/xlink\" " : "");
   }
 
  private:
   std::string body_;
+  bool has_image_ = false;
 };
 
 }  // namespace

@@ -25,8 +25,8 @@ constexpr Color kBackground{247, 248, 250};
 
 /// The width of a thin line [px of the picture]: the same share of any size, a pixel and a half of
 /// a full HD picture.
-double thin_line(const ViewOptions& options) {
-  return std::clamp(std::sqrt(options.width * static_cast<double>(options.height)) / 960, 0.5, 6.0);
+double thin_line(const PinholeCamera& camera) {
+  return std::clamp(std::sqrt(camera.width * static_cast<double>(camera.height)) / 960, 0.5, 6.0);
 }
 
 std::vector<Label> axis_labels(const Extent& extent) {
@@ -43,10 +43,10 @@ cv::Mat shrunk(const cv::Mat& image) {
   return result;
 }
 
-cv::Mat draw_message(const ViewOptions& options, const View& view, const std::string& message) {
-  cv::Mat image(options.height * kOversampling, options.width * kOversampling, CV_8UC3,
+cv::Mat draw_message(const View& view, const std::string& message) {
+  cv::Mat image(view.camera.height * kOversampling, view.camera.width * kOversampling, CV_8UC3,
                 cv::Scalar(kBackground.blue, kBackground.green, kBackground.red));
-  Overlay(image, view, kOversampling * thin_line(options)).draw_message(message);
+  Overlay(image, view, kOversampling * thin_line(view.camera)).draw_message(message);
   return shrunk(image);
 }
 
@@ -55,25 +55,38 @@ Primitives primitives_of(const Scene& scene, const Extent& extent, const Grid& g
   Primitives primitives;
   add_surface(scene, extent, view, primitives.splats);
   LineArt art(view, primitives);
-  grid.add_to(art, unit);
+  if (scene.ground) grid.add_to(art, unit);
   add_constraints(scene, unit, art);
   add_keyframes(scene, extent, unit, art);
   add_paths(scene, scale, unit, art);
-  add_axes(extent, unit, art);
+  if (scene.ground) add_axes(extent, unit, art);
   return primitives;
+}
+
+void draw_texts(const Scene& scene, const Extent& extent, const Grid& grid, const ColorScale& scale,
+                const cv::Mat& depth, Overlay& overlay) {
+  overlay.draw_title(scene.title);
+  overlay.draw_legend(legend_of(scene, scale), scale, scene.value_label);
+  if (!scene.ground) return;
+  overlay.draw(axis_labels(extent));
+  overlay.draw(grid.labels(), depth);
 }
 
 }  // namespace
 
 Picture draw_picture(const Scene& scene, const ViewOptions& options, Renderer& renderer) {
+  const bool empty = extent_of(scene).empty;
+  const ViewOptions any{.width = options.width, .height = options.height};
+  return draw_picture(scene, empty ? make_view({}, any) : make_view(scene, options), renderer);
+}
+
+Picture draw_picture(const Scene& scene, const View& seen_from, Renderer& renderer) {
   const Extent extent = extent_of(scene);
   if (extent.empty) {
-    const View view = make_view({}, {.width = options.width, .height = options.height});
-    return {draw_message(options, view, "nothing to draw: no point and no pose"),
-            scene_notes(scene)};
+    return {draw_message(seen_from, "nothing to draw: no point and no pose"), scene_notes(scene)};
   }
-  const View view = enlarged(make_view(scene, options), kOversampling);
-  const double unit = kOversampling * thin_line(options);
+  const View view = enlarged(seen_from, kOversampling);
+  const double unit = kOversampling * thin_line(seen_from.camera);
   const Grid grid(extent, view);
   const ColorScale scale(scene);
   const Primitives primitives = primitives_of(scene, extent, grid, scale, view, unit);
@@ -81,10 +94,7 @@ Picture draw_picture(const Scene& scene, const ViewOptions& options, Renderer& r
   shade_by_depth(view, std::max(1, static_cast<int>(std::lround(unit))), raster);
 
   Overlay overlay(raster.color, view, unit);
-  overlay.draw_title(scene.title);
-  overlay.draw_legend(legend_of(scene, scale), scale, scene.value_label);
-  overlay.draw(axis_labels(extent));
-  overlay.draw(grid.labels(), raster.depth);
+  draw_texts(scene, extent, grid, scale, raster.depth, overlay);
   return {shrunk(raster.color), scene_notes(scene)};
 }
 

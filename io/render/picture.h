@@ -26,6 +26,9 @@ struct Picture {
 /// renderer cannot draw.
 [[nodiscard]] Picture draw_picture(const Scene& scene, const ViewOptions& view, Renderer& renderer);
 
+/// The same from a view of one's own, so that several scenes are seen from one place.
+[[nodiscard]] Picture draw_picture(const Scene& scene, const View& seen_from, Renderer& renderer);
+
 /// Writes an image as PNG, or as JPEG where the name ends so. Throws OutputError.
 void write_picture(const std::filesystem::path& file, const cv::Mat& image);
 

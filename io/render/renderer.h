@@ -32,7 +32,7 @@ class Renderer {
 };
 
 enum class RendererKind {
-  kAuto,    ///< kOsmesa where it is installed, else kSplat
+  kAuto,    ///< kOsmesa where it is installed and works, else kSplat
   kOsmesa,  ///< Mesa's off-screen OpenGL on the CPU
   kEgl,     ///< OpenGL by EGL without a surface: on the GPU where there is one
   kSplat,   ///< no OpenGL at all, and the same pixels everywhere

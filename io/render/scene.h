@@ -40,6 +40,7 @@ struct Scene {
   std::vector<Constraint> constraints;
   /// Where up is; by default that of a world that is the first camera's frame.
   Vector3 up = -Vector3::UnitY();
+  bool ground = true;  ///< the grid of metres with its numbers, and the axes
 };
 
 /// Beyond this the 24 bits of a float cannot tell places half a metre apart [m].

@@ -75,6 +75,30 @@ TEST_F(BenchCommand, WritesTheTrajectories) {
   EXPECT_EQ(read_tum(out / "ours.txt").size(), 6);
 }
 
+TEST_F(BenchCommand, DrawsDistributionsAndTopViews) {
+  const auto plots = folder_.path() / "new" / "plots";
+  const ProgramResult result = bench({"--systems", "ours,icp", "--plot", plots.string()});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(read_text(plots / "odometry.png"), StartsWith("\x89PNG"));
+  const std::string svg = read_text(plots / "odometry.svg");
+  EXPECT_THAT(svg, AllOf(HasSubstr(">Translation<"), HasSubstr(">Rotation<"), HasSubstr(">ours<"),
+                         HasSubstr(">ground truth<"), HasSubstr(">share of frames<")));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("no data")));
+}
+
+TEST_F(BenchCommand, PlotsThatCannotBeMadeAreKnownBeforeTheWork) {
+  const std::string file = folder_.write("file", "");
+  const ProgramResult unwritable = bench({"--plot", file + "/plots"});
+  EXPECT_EQ(unwritable.exit_code, 1);
+  EXPECT_THAT(unwritable.errors, AllOf(StartsWith("cvo_slam: error: "), HasSubstr(file)));
+  std::filesystem::remove(sequence_ / "groundtruth.txt");
+  const ProgramResult without_truth = bench({"--plot", (folder_.path() / "plots").string()});
+  EXPECT_EQ(without_truth.exit_code, 2);
+  EXPECT_EQ(without_truth.errors,
+            "cvo_slam: error: --plot: room has no ground truth to draw errors from; leave it out, "
+            "or take a sequence that has one\n");
+}
+
 TEST_F(BenchCommand, RefusesAnUnknownSystemAndNamesTheNearest) {
   const ProgramResult result = bench({"--systems", "ours,rgdb"});
   EXPECT_EQ(result.exit_code, 2);

@@ -97,8 +97,8 @@ TEST_F(GradientFlow, EveryCoefficientOfTheExpansionMatches) {
 }
 
 TEST_F(GradientFlow, ThePrintedExpansionWithoutFactorialsIsWrong) {
-  // The paper prints gamma = -1/(2 ell^2) (|u|^2 + <w^ u, d>) ... : with that sign the second
-  // coefficient is off by far more than rounding.
+  // The paper's points go to z - t u - t^2 w^ u ..., without 1/k! and alternating signs: gamma =
+  // -1/(2 ell^2) (|u|^2 + 2 <w^ u, d>). The second coefficient is off by far more than rounding.
   const double inv2 = 1 / (kScale * kScale);
   double g2 = 0;
   for (std::size_t j = 0; j < moving_.size(); ++j) {
@@ -109,7 +109,7 @@ TEST_F(GradientFlow, ThePrintedExpansionWithoutFactorialsIsWrong) {
       const double w = label_product(kernel_, fixed_, i, moving_, j) * kernel_.sigma *
                        kernel_.sigma * std::exp(-inv2 / 2 * d.squaredNorm());
       const double beta = -inv2 * u.dot(d);
-      const double gamma = -inv2 / 2 * (u.squaredNorm() + direction_.omega.cross(u).dot(d));
+      const double gamma = -inv2 / 2 * (u.squaredNorm() + 2 * direction_.omega.cross(u).dot(d));
       g2 += w * (gamma + beta * beta / 2);
     }
   }

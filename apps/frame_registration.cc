@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/apps/frame_registration.h"
+
+#include <array>
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cvo_slam/apps/odometry_run.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/units.h"
+#include "cvo_slam/frontend/point_selection.h"
+
+namespace cvo_slam {
+namespace {
+
+constexpr double kMillimetres = 1000;
+
+/// What a tracker would have against the result; empty where it has nothing.
+std::string doubt_of(const RegistrationResult& result, const LostOptions& limits) {
+  if (result.overlap < limits.min_overlap) {
+    return fmt::format("overlap {:.2f} is below lost.min_overlap={}", result.overlap,
+                       limits.min_overlap);
+  }
+  if (result.cos_theta < limits.min_cos_theta) {
+    return fmt::format("cos_theta {:.2f} is below lost.min_cos_theta={}", result.cos_theta,
+                       limits.min_cos_theta);
+  }
+  return {};
+}
+
+PointCloud points_of(const RgbdFrame& frame, const std::string& name, const Camera& camera,
+                     int count, const TrackerOptions& options) {
+  PointCloud cloud = select_points(frame, camera, count, options.selection);
+  if (cloud.size() < static_cast<std::size_t>(options.lost.min_points)) {
+    throw DataError(fmt::format(
+        "{} has {} points with gradient and depth, {} are needed (lost.min_points); take another",
+        name, cloud.size(), options.lost.min_points));
+  }
+  return cloud;
+}
+
+/// Of a right perturbation of T_a_b: the square roots of the covariance's diagonal.
+Vector6 standard_deviations(const RegistrationResult& result) {
+  const Eigen::Matrix<double, 6, 6> covariance = result.information.inverse();
+  return covariance.diagonal().cwiseSqrt();
+}
+
+std::array<double, 3> array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+std::string motion_text(const SE3& T) {
+  return fmt::format("{:.1f} mm, {:.3f} deg", T.translation().norm() * kMillimetres,
+                     T.angle() * kDegrees);
+}
+
+nlohmann::ordered_json pose_json(const SE3& T) {
+  const Eigen::Vector4d q = T.quaternion();
+  return {{"translation_m", array(T.translation())},
+          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+}
+
+nlohmann::ordered_json similarity_json(const CloudSimilarity& similarity) {
+  return {{"inner_product", similarity.inner_product},
+          {"cos_theta", similarity.cos_theta},
+          {"overlap", similarity.overlap},
+          {"kernel_entries", similarity.entries}};
+}
+
+nlohmann::ordered_json information_json(const Matrix6& information) {
+  auto rows = nlohmann::ordered_json::array();
+  for (int row = 0; row < 6; ++row) {
+    auto values = nlohmann::ordered_json::array();
+    for (int column = 0; column < 6; ++column) values.push_back(information(row, column));
+    rows.push_back(values);
+  }
+  return rows;
+}
+
+std::string_view word_of(RegistrationStatus status) {
+  return status == RegistrationStatus::kConverged ? "converged" : "iteration_limit";
+}
+
+}  // namespace
+
+FrameRegistration register_frames(const FramePair& pair, const TrackerOptions& options) {
+  const double start = process_cpu_seconds();
+  FrameRegistration registration;
+  registration.points_a =
+      points_of(pair.a, pair.name_a, pair.camera, options.keyframe_points, options);
+  registration.points_b = points_of(pair.b, pair.name_b, pair.camera, options.points, options);
+  Registration solver(options.registration, options.threads);
+  solver.set_fixed(registration.points_a);
+  registration.result = solver.align(registration.points_b, SE3());
+  registration.cpu_seconds = process_cpu_seconds() - start;
+  const RegistrationResult& result = registration.result;
+  if (result.status == RegistrationStatus::kFailed) {
+    throw DataError(
+        fmt::format("{} and {} cannot be registered: {}", pair.name_a, pair.name_b, result.reason));
+  }
+  registration.doubt = doubt_of(result, options.lost);
+  registration.length_scale = options.registration.length_scales.back();
+  const auto similarity_at = [&](const SE3& T) {
+    return similarity(registration.points_a, registration.points_b, T, options.registration.kernel,
+                      registration.length_scale);
+  };
+  registration.before = similarity_at(SE3());
+  registration.after = similarity_at(result.T_fixed_moving);
+  return registration;
+}
+
+std::string to_table(const FramePair& pair, const FrameRegistration& registration) {
+  const RegistrationResult& result = registration.result;
+  const SE3& T = result.T_fixed_moving;
+  const Eigen::Vector4d q = T.quaternion();
+  const Vector6 deviations = standard_deviations(result);
+  const CloudSimilarity& before = registration.before;
+  const CloudSimilarity& after = registration.after;
+  std::string text = fmt::format("a              {}{}\nb              {}{}\n", pair.name_a,
+                                 pair.source.empty() ? "" : " of " + pair.source, pair.name_b,
+                                 pair.seconds ? fmt::format(", {:+.3f} s", *pair.seconds) : "");
+  text +=
+      fmt::format("T_a_b          {:.6f}  qx qy qz qw {:.6f}\n",
+                  fmt::join(array(T.translation()), " "), fmt::join(q.data(), q.data() + 4, " "));
+  text += fmt::format("motion         {}\n", motion_text(T));
+  text += fmt::format("deviations     x y z {:.2f} mm, about x y z {:.4f} deg\n",
+                      fmt::join(array(deviations.head<3>() * kMillimetres), " "),
+                      fmt::join(array(deviations.tail<3>() * kDegrees), " "));
+  if (pair.T_a_b_truth) {
+    text += fmt::format("error          {} from the reference\n",
+                        motion_text(pair.T_a_b_truth->inverse() * T));
+  }
+  text += fmt::format("cos_theta      {:.4f}, {:.4f} before\n", after.cos_theta, before.cos_theta);
+  text += fmt::format("inner product  {:.6g}, {:.6g} before\n", after.inner_product,
+                      before.inner_product);
+  text += fmt::format("overlap        {:.1f} %, {:.1f} % before\n", 100 * after.overlap,
+                      100 * before.overlap);
+  text += fmt::format("kernel matrix  {} x {}, {} entries, {} before (length scale {} m)\n",
+                      registration.points_a.size(), registration.points_b.size(), after.entries,
+                      before.entries, registration.length_scale);
+  text += fmt::format("iterations     {}, {}\n", result.iterations, result.reason);
+  text += fmt::format("CPU time       {:.1f} ms\n", registration.cpu_seconds * 1000);
+  if (!registration.doubt.empty()) text += fmt::format("doubtful       {}\n", registration.doubt);
+  return text;
+}
+
+nlohmann::ordered_json to_json(const FramePair& pair, const FrameRegistration& registration) {
+  const RegistrationResult& result = registration.result;
+  const Vector6 deviations = standard_deviations(result);
+  nlohmann::ordered_json json = {{"a", pair.name_a}, {"b", pair.name_b}};
+  if (!pair.source.empty()) json["sequence"] = pair.source;
+  if (pair.seconds) json["interval_s"] = *pair.seconds;
+  json["T_a_b"] = pose_json(result.T_fixed_moving);
+  json["standard_deviation"] = {{"translation_m", array(deviations.head<3>())},
+                                {"rotation_rad", array(deviations.tail<3>())}};
+  json["information"] = information_json(result.information);
+  json["error"] = nullptr;
+  if (pair.T_a_b_truth) {
+    const SE3 error = pair.T_a_b_truth->inverse() * result.T_fixed_moving;
+    json["error"] = {{"translation_m", error.translation().norm()},
+                     {"rotation_deg", error.angle() * kDegrees}};
+  }
+  json["status"] = word_of(result.status);
+  json["doubt"] = registration.doubt;
+  json["iterations"] = result.iterations;
+  json["points_a"] = registration.points_a.size();
+  json["points_b"] = registration.points_b.size();
+  json["length_scale_m"] = registration.length_scale;
+  json["before"] = similarity_json(registration.before);
+  json["after"] = similarity_json(registration.after);
+  json["cpu_ms"] = registration.cpu_seconds * 1000;
+  return json;
+}
+
+}  // namespace cvo_slam
