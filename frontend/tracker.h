@@ -58,7 +58,12 @@ class Tracker {
   /// The first tracked camera is the origin of the world.
   FrameRecord track(const RgbdFrame& frame);
 
-  /// The observer is called within track(), in the order in which keyframes are made, once for each
+  /// Goes on where T_world_camera says that a frame was taken which track() has just called lost,
+  /// for one who has recognised the place: a new segment starts there, in whatever world the pose
+  /// is of. Lost it stays where its images are of no use.
+  FrameRecord resume(const RgbdFrame& frame, const SE3& T_world_camera);
+
+  /// The observer is called within these, in the order in which keyframes are made, once for each
   /// but the first of a segment: that is made again, with other points, when the next frame has
   /// told how the camera moves.
   void observe_keyframes(KeyframeObserver observer);

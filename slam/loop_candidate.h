@@ -14,6 +14,8 @@ struct LoopCandidate {
   EdgeKind kind = EdgeKind::kProximity;
   std::size_t from = 0;  ///< frame index of the older keyframe
   std::size_t to = 0;    ///< frame index of the newer one
+  /// Whether the newer one is a frame that was lost, and a keyframe only if this was accepted.
+  bool relocalization = false;
   /// Of a place that was recognised (kLoop): how alike the words are, also as a share of what they
   /// are with the keyframe before (LoopMatch), and how many features agree with one pose.
   double score = 0;

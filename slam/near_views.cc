@@ -33,7 +33,7 @@ std::vector<NearView> find_near_views(const std::vector<KeyframeView>& views,
   const auto recent = static_cast<std::size_t>(options.recent);
   for (std::size_t back = 0; back < before_predecessor; ++back) {
     const std::size_t i = before_predecessor - 1 - back;
-    if (views[i].segment != newest.segment) break;
+    if (views[i].part != newest.part) continue;
     const double overlap = expected_overlap(views[i], newest, camera);
     if (overlap >= options.min_expected_overlap) {
       (back < recent ? chosen : older).push_back({i, overlap});

@@ -21,6 +21,7 @@ namespace cvo_slam {
 struct KeyframeView {
   std::size_t frame = 0;
   int segment = 0;
+  int part = 0;  ///< the first segment among those that the graph connects with this one
   SE3 T_world_camera;
   std::shared_ptr<const PointCloud> cloud;
 };
@@ -58,9 +59,10 @@ class PairVerifier {
   void set_newest(const PointCloud& cloud);
   /// The measurement, searched for from T_older_newer, where it is believed; `candidate` gets all
   /// figures and the verdict. `usual_cos_theta` is that of registrations that are known to be good.
+  /// Null where the graph does not know the pair.
   [[nodiscard]] std::optional<PairMeasurement> verify(const PointCloud& older,
                                                       const SE3& T_older_newer,
-                                                      const PairPrior& prior,
+                                                      const PairPrior* prior,
                                                       double usual_cos_theta,
                                                       LoopCandidate& candidate);
 
