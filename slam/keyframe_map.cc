@@ -10,6 +10,7 @@
 #include "cvo_slam/core/pose_graph_cost.h"
 #include "cvo_slam/slam/keyframe_map_internal.h"
 #include "cvo_slam/slam/path_uncertainty_internal.h"
+#include "cvo_slam/slam/view_overlap_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -139,6 +140,12 @@ void KeyframeMap::close_loop(const std::vector<LoopMatch>& matches, std::size_t 
   const LoopMatch& match = matches[index];
   const std::size_t older = graph().index_of(node_id(match.keyframe));
   const auto& covariance = covariances[older];
+  const KeyframeView& view = views_[older];
+  if (covariance) {
+    candidate.expected_overlap =
+        mutual_overlap(*view.cloud, *views_.back().cloud,
+                       view.T_world_camera.inverse() * views_.back().T_world_camera, camera_.color);
+  }
   if (!match.verification.accepted) {
     candidate.reason = match.verification.reason;
   } else if (are_joined(graph(), node_id(match.keyframe), node_id(match.query))) {

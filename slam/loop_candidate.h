@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "cvo_slam/core/pose_graph.h"
@@ -21,9 +22,10 @@ struct LoopCandidate {
   double score = 0;
   double normalized_score = 0;
   std::size_t inliers = 0;
-  double expected_overlap = 0;  ///< by the poses of the graph; of a near one
-  double overlap = 0;           ///< the lower one of the two registrations
-  double cos_theta = 0;         ///< likewise
+  /// By the poses of the graph, before this was tried; none where it does not connect the two.
+  std::optional<double> expected_overlap;
+  double overlap = 0;    ///< the lower one of the two registrations; 0 where there was none
+  double cos_theta = 0;  ///< likewise
   /// How far the two registrations, one each way, are apart [m, rad].
   double round_trip_translation = 0;
   double round_trip_rotation = 0;

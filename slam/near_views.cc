@@ -9,10 +9,7 @@ namespace cvo_slam {
 namespace {
 
 double expected_overlap(const KeyframeView& a, const KeyframeView& b, const PinholeCamera& camera) {
-  const SE3 T_a_b = a.T_world_camera.inverse() * b.T_world_camera;
-  const double b_in_a = visible_share(*b.cloud, T_a_b, camera);
-  if (b_in_a == 0) return 0;
-  return std::min(b_in_a, visible_share(*a.cloud, T_a_b.inverse(), camera));
+  return mutual_overlap(*a.cloud, *b.cloud, a.T_world_camera.inverse() * b.T_world_camera, camera);
 }
 
 bool is_far_from_all(std::size_t index, const std::vector<NearView>& chosen, std::size_t min_gap) {
