@@ -249,16 +249,13 @@ class Kidnapping {
     for (std::size_t i = 0; i < stay.frames; ++i) {
       const std::size_t index = stay.first_frame + i;
       const FrameRecord record = slam_.track(frame(index));
+      if (arguments_.verbose && stay.first_frame > 0) print(record);
       if (record.status == TrackingStatus::kLost || record.segment != 0) continue;
       const SE3 T_true = plan_.T_world_camera(0).inverse() *
                          plan_.T_world_camera(static_cast<double>(index) / kRate);
       const SE3 error = T_true.inverse() * record.T_world_camera;
       if (error.translation().norm() > kTranslation || error.angle() > kRotation) {
         tally.wrong = 1;
-        if (arguments_.verbose) {
-          fmt::print("{}: frame {} is wrong by {:.3f} m, {:.3f} rad\n", name_, index,
-                     error.translation().norm(), error.angle());
-        }
         continue;
       }
       tally.largest_error = std::max(tally.largest_error, error.translation().norm());
@@ -278,6 +275,17 @@ class Kidnapping {
       }
     }
     return tally;
+  }
+
+  void print(const FrameRecord& record) const {
+    const SE3 T_true = plan_.T_world_camera(0).inverse() *
+                       plan_.T_world_camera(static_cast<double>(record.index) / kRate);
+    const SE3 error = T_true.inverse() * record.T_world_camera;
+    fmt::print("  {} segment {} {} error {:.3f} m {:.3f} rad, to {} overlap {:.2f} cos {:.2f} {}\n",
+               record.index, record.segment,
+               record.status == TrackingStatus::kLost ? "lost" : "tracked",
+               error.translation().norm(), error.angle(), record.keyframe,
+               record.registration.overlap, record.registration.cos_theta, record.reason);
   }
 
   const KidnapArguments& arguments_;

@@ -170,8 +170,8 @@ void Tracker::Impl::start_segment(const RgbdFrame& frame, const SE3& T_world_cam
   record.registration.reason = "the keyframe itself";
   record.registration.overlap = 1;
   record.registration.cos_theta = 1;
-  motion.stop();
   motion.update(frame.stamp, record.T_world_camera);
+  motion.stop();  // from wherever it was before, the camera did not move here
   remember(frame);
   selector.prepare(frame);
   set_keyframe(frame, record.T_world_camera);
