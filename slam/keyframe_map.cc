@@ -87,8 +87,12 @@ void KeyframeMap::add_node(const TrackedKeyframe& keyframe) {
     const KeyframeView& reference = views_[graph().index_of(node_id(known->reference))];
     T_world_camera = (reference.T_world_camera * known->T_reference_keyframe).normalized();
     part = reference.part;
+  } else if (!views_.empty()) {
+    T_world_camera = after_gap(keyframe);
   }
-  views_.push_back({keyframe.frame, keyframe.segment, part, T_world_camera, keyframe.cloud});
+  views_.push_back(
+      {keyframe.frame, keyframe.segment, part, T_world_camera, keyframe.cloud, keyframe.stamp});
+  T_world_newest_tracked_ = keyframe.T_world_camera;
   optimizer_.add_node({node_id(keyframe.frame), T_world_camera});
   if (keyframe.place) add_place(*keyframe.place, keyframe.frame);
   if (!keyframe.link) return;

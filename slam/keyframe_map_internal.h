@@ -67,11 +67,20 @@ class KeyframeMap {
   void close_loop(const std::vector<LoopMatch>& matches, std::size_t index,
                   const Covariances& covariances, LoopCandidate& candidate);
   // Where the graph cannot say whether a place is likely (keyframe_map_parts.cc).
+  [[nodiscard]] SE3 after_gap(const TrackedKeyframe& keyframe);
+  [[nodiscard]] std::optional<PairPrior> prior_of_lost(std::size_t older,
+                                                       const Timestamp& now) const;
+  [[nodiscard]] bool is_likely(const LoopMatch& match, const Timestamp& now) const;
   [[nodiscard]] std::string find_doubt(const std::vector<LoopMatch>& matches,
                                        std::size_t index) const;
+  [[nodiscard]] std::string find_strangeness(const LoopMatch& match, double cos_theta,
+                                             const Timestamp& now) const;
+  [[nodiscard]] std::string find_rival_reason(const std::vector<LoopMatch>& matches,
+                                              std::size_t index) const;
   [[nodiscard]] const LoopMatch* find_rival(const std::vector<LoopMatch>& matches,
                                             std::size_t index) const;
   [[nodiscard]] std::optional<KeyframeLink> register_lost(const LoopMatch& match,
+                                                          const Timestamp& now,
                                                           LoopCandidate& candidate);
   void link_part(const LoopMatch& match, LoopCandidate& candidate);
   bool join_parts();
@@ -94,6 +103,8 @@ class KeyframeMap {
   std::vector<KeyframeView> views_;  // in the order of the graph's nodes
   std::vector<LoopCandidate> candidates_;
   std::vector<PartLink> part_links_;  // that did not join parts yet
+  std::vector<PoseGraphEdge> gaps_;   // from the last of a segment to the first of the next
+  SE3 T_world_newest_tracked_;        // the tracker's world
   GraphStatistics statistics_;
   double sum_of_cos_theta_ = 0;  // of the odometry edges
   std::size_t odometry_edges_ = 0;

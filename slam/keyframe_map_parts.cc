@@ -4,16 +4,23 @@
 // What is known of places that the graph does not connect with the newest frame: images alone say
 // where it is, and there may be places that look alike.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "cvo_slam/core/information.h"
 #include "cvo_slam/slam/keyframe_map_internal.h"
+#include "cvo_slam/slam/path_uncertainty_internal.h"
 
 namespace cvo_slam {
 namespace {
+
+using Square = Eigen::Matrix<double, 6, 6>;
 
 /// Whether two poses are of one place, however good they are.
 bool is_one_place(const SE3& a, const SE3& b) {
@@ -23,30 +30,98 @@ bool is_one_place(const SE3& a, const SE3& b) {
   return motion.translation().norm() < kTranslation && motion.angle() < kRotation;
 }
 
+/// Of how far a camera has come that nobody has tracked.
+Matrix6 lost_covariance(double seconds, const RelocalizationOptions& options) {
+  const double translation = options.lost_speed * seconds;
+  const double rotation = options.lost_angular_speed * seconds;
+  Matrix6 covariance = Matrix6::Zero();
+  covariance.diagonal().head<3>().setConstant(translation * translation);
+  covariance.diagonal().tail<3>().setConstant(rotation * rotation);
+  return covariance;
+}
+
+double largest_rotation(const Matrix6& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(covariance.bottomRightCorner<3, 3>(),
+                                                      Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
+}
+
 }  // namespace
 
-/// Why a verified place is not to be believed without the graph; empty where it is.
+/// Where the first keyframe of a segment is if the camera stood still while it was lost, as the
+/// tracker has it.
+SE3 KeyframeMap::after_gap(const TrackedKeyframe& keyframe) {
+  const KeyframeView& last = views_.back();
+  const SE3 T_last_keyframe = T_world_newest_tracked_.inverse() * keyframe.T_world_camera;
+  constexpr double kShortest = 0.01;  // [s]
+  const double seconds = std::max(kShortest, seconds_between(last.stamp, keyframe.stamp));
+  const Square information =
+      Square(lost_covariance(seconds, options_.loops.relocalization)).inverse();
+  gaps_.push_back({node_id(last.frame), node_id(keyframe.frame), T_last_keyframe,
+                   edge_information(T_last_keyframe, information)});
+  return (last.T_world_camera * T_last_keyframe).normalized();
+}
+
+/// What the graph and the gaps between its parts say of a frame that was taken now, as seen from an
+/// older keyframe; none where that is next to nothing.
+std::optional<PairPrior> KeyframeMap::prior_of_lost(std::size_t older, const Timestamp& now) const {
+  PoseGraph graph_and_gaps = graph();
+  for (const PoseGraphEdge& gap : gaps_) graph_and_gaps.add_edge(gap);
+  const auto covariances = path_covariances(graph_and_gaps, views_.size() - 1);
+  if (!covariances[older]) return std::nullopt;
+  PairPrior prior = prior_of(older, *covariances[older]);
+  const double seconds = std::max(0.0, seconds_between(views_.back().stamp, now));
+  prior.covariance += lost_covariance(seconds, options_.loops.relocalization);
+  // With more a view from the other side could not be told from this one.
+  constexpr double kLargest = 0.6;  // [rad]
+  if (largest_rotation(prior.covariance) > kLargest) return std::nullopt;
+  return prior;
+}
+
+/// Whether the camera can have come to where a match says it is.
+bool KeyframeMap::is_likely(const LoopMatch& match, const Timestamp& now) const {
+  const auto prior = prior_of_lost(graph().index_of(node_id(match.keyframe)), now);
+  if (!prior) return false;
+  const Eigen::Matrix<double, 6, 1> error =
+      (prior->T_older_newer.inverse() * match.verification.T_a_b).log();
+  constexpr double kMaxError = 4;  // standard deviations: chi-square's 99 %
+  return std::sqrt(error.dot(Square(prior->covariance).ldlt().solve(error))) <= kMaxError;
+}
+
+/// Why a verified place need not be registered; empty where it is to be.
 std::string KeyframeMap::find_doubt(const std::vector<LoopMatch>& matches,
                                     std::size_t index) const {
-  const RelocalizationOptions& options = options_.loops.relocalization;
-  const Verification& best = matches[index].verification;
-  if (best.visible_share < options.min_visible_share) {
-    return fmt::format(
-        "{:.2f} of the features that both should see match; {:.2f} needed where the "
-        "graph does not know the way",
-        best.visible_share, options.min_visible_share);
-  }
-  if (best.coverage < options.min_coverage) {
+  const double coverage = matches[index].verification.coverage;
+  const double needed = options_.loops.relocalization.min_likely_coverage;
+  if (coverage < needed) {
     return fmt::format(
         "{:.2f} of the image cells that both should see match; {:.2f} needed where "
         "the graph does not know the way",
-        best.coverage, options.min_coverage);
+        coverage, needed);
   }
-  if (const LoopMatch* const rival = find_rival(matches, index)) {
-    return fmt::format("{} shows as much of it, {:.2f} of the image cells and here {:.2f}",
-                       rival->keyframe, rival->verification.coverage, best.coverage);
-  }
-  return {};
+  return find_rival_reason(matches, index);
+}
+
+/// Why a registered place may be a look-alike; empty where that is ruled out.
+std::string KeyframeMap::find_strangeness(const LoopMatch& match, double cos_theta,
+                                          const Timestamp& now) const {
+  const RelocalizationOptions& options = options_.loops.relocalization;
+  const Verification& v = match.verification;
+  if (v.coverage >= options.min_coverage && v.visible_share >= options.min_visible_share) return {};
+  const double usual = usual_cos_theta();
+  const double likeness = v.coverage + (usual > 0 ? cos_theta / usual : 0);
+  if (likeness >= options.min_likeness || is_likely(match, now)) return {};
+  return fmt::format("likeness {:.2f}; {:.2f} needed so far from where the camera was lost",
+                     likeness, options.min_likeness);
+}
+
+std::string KeyframeMap::find_rival_reason(const std::vector<LoopMatch>& matches,
+                                           std::size_t index) const {
+  const LoopMatch* const rival = find_rival(matches, index);
+  if (rival == nullptr) return {};
+  return fmt::format("{} shows as much of it, {:.2f} of the image cells and here {:.2f}",
+                     rival->keyframe, rival->verification.coverage,
+                     matches[index].verification.coverage);
 }
 
 /// Another place of the same part of the graph that explains nearly as much of the image. Of
@@ -69,13 +144,15 @@ const LoopMatch* KeyframeMap::find_rival(const std::vector<LoopMatch>& matches,
 }
 
 /// The registration of the frame that the verifier has as its newest with a place it may be at.
-std::optional<KeyframeLink> KeyframeMap::register_lost(const LoopMatch& match,
+std::optional<KeyframeLink> KeyframeMap::register_lost(const LoopMatch& match, const Timestamp& now,
                                                        LoopCandidate& candidate) {
   const KeyframeView& view = views_[graph().index_of(node_id(match.keyframe))];
   const auto measurement = loop_closer_->verifier.verify(*view.cloud, match.verification.T_a_b,
                                                          nullptr, usual_cos_theta(), candidate);
-  if (!measurement) return std::nullopt;
   candidate.accepted = false;
+  if (!measurement) return std::nullopt;
+  candidate.reason = find_strangeness(match, candidate.cos_theta, now);
+  if (!candidate.reason.empty()) return std::nullopt;
   candidate.reason = "waits for frames that agree";
   return KeyframeLink{match.keyframe, measurement->T_older_newer, measurement->information,
                       candidate.cos_theta};
@@ -94,7 +171,7 @@ std::optional<FoundPlace> KeyframeMap::relocalize(const RgbdFrame& image, const 
     if (candidate.reason.empty() && found) candidate.reason = "another is found already";
     if (candidate.reason.empty()) {
       loop_closer_->verifier.set_newest(cloud);
-      if (const auto link = register_lost(matches[i], candidate)) {
+      if (const auto link = register_lost(matches[i], image.stamp, candidate)) {
         const KeyframeView& view = views_[graph().index_of(node_id(link->reference))];
         found = {*link, (view.T_world_camera * link->T_reference_keyframe).normalized(), view.part};
       }
@@ -123,8 +200,10 @@ void KeyframeMap::link_part(const LoopMatch& match, LoopCandidate& candidate) {
   const std::size_t older = graph().index_of(node_id(match.keyframe));
   const auto measurement = loop_closer_->verifier.verify(
       *views_[older].cloud, match.verification.T_a_b, nullptr, usual_cos_theta(), candidate);
-  if (!measurement) return;
   candidate.accepted = false;
+  if (!measurement) return;
+  candidate.reason = find_strangeness(match, candidate.cos_theta, views_.back().stamp);
+  if (!candidate.reason.empty()) return;
   candidate.reason = "of another segment: waits for keyframes that agree";
   part_links_.push_back({older, views_.size() - 1, *measurement, candidates_.size()});
 }

@@ -10,6 +10,7 @@
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
+#include "cvo_slam/core/timestamp.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/slam/loop_candidate.h"
 #include "cvo_slam/slam/registration_noise_internal.h"
@@ -24,6 +25,7 @@ struct KeyframeView {
   int part = 0;  ///< the first segment among those that the graph connects with this one
   SE3 T_world_camera;
   std::shared_ptr<const PointCloud> cloud;
+  Timestamp stamp;
 };
 
 /// An earlier keyframe to register the newest one to.

@@ -50,11 +50,23 @@ OptionSet describe(ProximityOptions& o) {
 
 OptionSet describe(RelocalizationOptions& o) {
   return OptionSet()
-      .add("min_visible_share", o.min_visible_share, {0, 1}, "",
-           "Of the features that both images should see, the share that must match: more than of a "
-           "place that the graph knows the camera may be at, for there may be look-alikes.")
+      .add(
+          "min_likely_coverage", o.min_likely_coverage, {0, 1}, "",
+          "Of the cells of the image in which both images should see features, the share that must "
+          "have some that match, where the camera can have come to since it was lost. Elsewhere, "
+          "where there may be look-alikes, one of the following two is needed besides.")
       .add("min_coverage", o.min_coverage, {0, 1}, "",
-           "Likewise of the cells of the image in which both should see features.")
+           "This share of the cells, together with min_visible_share.")
+      .add("min_visible_share", o.min_visible_share, {0, 1}, "",
+           "Of the features that both images should see, the share that must match.")
+      .add("min_likeness", o.min_likeness, {0, 10}, "",
+           "The share of the cells plus the registration's cos_theta as a share of the usual. "
+           "Look-alikes of `house`, with the same prints on other paint, reach 1.8.")
+      .add("lost_speed", o.lost_speed, {0, 1e6}, "m/s",
+           "Standard deviation of the speed of a lost camera.")
+      .add("lost_angular_speed", o.lost_angular_speed, {0, 1e6}, "rad/s",
+           "The same for its angular speed. With these a second without tracking leaves open where "
+           "the camera is.")
       .add("rival_share", o.rival_share, {0, 1}, "",
            "A second place that covers more than this share of what the first one covers leaves "
            "open which it is.")

@@ -39,6 +39,10 @@ struct ProximityOptions {
 struct RelocalizationOptions {
   double min_visible_share = 0.35;
   double min_coverage = 0.9;
+  double min_likely_coverage = 0.6;
+  double min_likeness = 1.9;
+  double lost_speed = 1.5;
+  double lost_angular_speed = 1;
   double rival_share = 0.9;
   int frames = 3;
   int join_keyframes = 3;

@@ -21,7 +21,11 @@ using testing::HasSubstr;
 
 class PartsOfAMap : public MapOfPlaces {
  protected:
-  PartsOfAMap() { make_map(loop_options()); }
+  PartsOfAMap() {
+    SlamOptions options = loop_options();
+    options.loops.detection.candidates.min_score = 0.7;  // or the other wall is of the same group
+    make_map(options);
+  }
 
   /// Keyframes along the walk in the world of another segment.
   void walk_again(int first, int end, int segment) {
@@ -76,14 +80,26 @@ TEST_F(PartsOfAMap, OnesThatLookLikeTwoPlacesAreNotJoined) {
   EXPECT_TRUE(has_reason("shows as much of it"));
 }
 
-TEST_F(PartsOfAMap, AWeakLikenessIsNotEnough) {
+TEST_F(PartsOfAMap, FarFromWhereTheCameraWasLostALikenessMustBeStrong) {
   SlamOptions options = loop_options();
-  options.loops.relocalization.min_visible_share = 1;
+  options.loops.relocalization.min_coverage = options.loops.relocalization.min_visible_share = 1;
+  options.loops.relocalization.min_likeness = 10;
   make_map(options);
   walk(6);
   add(place(1) + 2, T_elsewhere_, 1);
   ASSERT_FALSE(loops_of_newest().empty());
-  EXPECT_THAT(loops_of_newest()[0].reason, HasSubstr("the graph does not know the way"));
+  EXPECT_THAT(loops_of_newest()[0].reason, HasSubstr("so far from where the camera was lost"));
+}
+
+TEST_F(PartsOfAMap, NearWhereTheCameraWasLostItNeedNot) {
+  SlamOptions options = loop_options();
+  options.loops.relocalization.min_coverage = options.loops.relocalization.min_visible_share = 1;
+  options.loops.relocalization.min_likeness = 10;
+  make_map(options);
+  walk(6);
+  add(place(5) - 3, pose(place(5)), 1);  // a frame later and a few centimetres off
+  ASSERT_FALSE(loops_of_newest().empty());
+  EXPECT_THAT(loops_of_newest()[0].reason, HasSubstr("waits for keyframes that agree"));
 }
 
 TEST_F(PartsOfAMap, ALostImageIsFound) {
