@@ -40,7 +40,7 @@ struct RelocalizationOptions {
   double min_visible_share = 0.35;
   double min_coverage = 0.9;
   double min_likely_coverage = 0.6;
-  double min_likeness = 1.9;
+  double min_likeness = 2.6;
   double lost_speed = 1.5;
   double lost_angular_speed = 1;
   double rival_share = 0.9;
