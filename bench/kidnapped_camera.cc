@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -311,6 +312,7 @@ void print_row(const std::string& name, const Tallies& tallies) {
   fmt::print("| {} | {} | {} | {} | {} | {:.0f} mm | {} | {} |\n", name, seen.trials, seen.found,
              seen.wrong, median(seen.frames), 1000 * seen.largest_error, unseen.trials,
              unseen.wrong);
+  std::fflush(stdout);
 }
 
 void run(const KidnapArguments& arguments) {

@@ -28,6 +28,16 @@ std::string find_fault(const RegistrationResult& result, const LostOptions& limi
   return {};
 }
 
+/// After a time without tracking the camera may be anywhere, and any other view has something that
+/// resembles the keyframe: more must agree.
+LostOptions limits_after(double seconds, LostOptions limits) {
+  constexpr double kLong = 0.5;  // [s]
+  if (seconds <= kLong) return limits;
+  limits.min_overlap = std::min(1.0, 2 * limits.min_overlap);
+  limits.min_cos_theta = std::min(1.0, 2 * limits.min_cos_theta);
+  return limits;
+}
+
 /// Why the camera cannot have moved from `a` to `b` in `seconds`; empty where it can.
 std::string find_motion_fault(const SE3& a, const SE3& b, double seconds,
                               const LostOptions& limits) {
@@ -192,10 +202,10 @@ std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, int ski
     record.registration = registration.align(cloud, T_init, skip);
   }
   record.T_world_camera = T_world_keyframe * record.registration.T_fixed_moving;
-  std::string fault = find_fault(record.registration, options.lost);
+  const double seconds = seconds_between(motion.last_stamp(), record.stamp);
+  std::string fault = find_fault(record.registration, limits_after(seconds, options.lost));
   if (!fault.empty()) return fault;
-  return find_motion_fault(motion.last_pose(), record.T_world_camera,
-                           seconds_between(motion.last_stamp(), record.stamp), options.lost);
+  return find_motion_fault(motion.last_pose(), record.T_world_camera, seconds, options.lost);
 }
 
 /// Registers from the predicted pose; where that fails with all length scales; where that fails too

@@ -30,8 +30,8 @@ struct FrameRecord {
   TrackingStatus status = TrackingStatus::kLost;
   std::string reason;  ///< why it is lost; empty where it is tracked
   SE3 T_world_camera;  ///< valid where tracked
-  /// Segments are not connected to each other: a new one starts where tracking resumes after too
-  /// long a loss.
+  /// A new one starts where tracking resumes after too long a loss. Poses of different segments are
+  /// of different worlds.
   int segment = 0;
   std::size_t keyframe = 0;     ///< index of the frame it was registered against
   std::string keyframe_reason;  ///< why it became a keyframe itself; empty where it did not

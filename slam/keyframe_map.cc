@@ -69,6 +69,7 @@ SE3 KeyframeMap::add(const TrackedKeyframe& keyframe) {
   const Covariances covariances = path_covariances(graph(), views_.size() - 1);
   join_near_views(covariances);
   bool has_loop = loop_closer_ && keyframe.image && close_loops(*keyframe.image, covariances);
+  take_back_joins();
   has_loop = join_parts() || has_loop;
   ++not_optimized_;
   if (has_loop) {
@@ -157,6 +158,9 @@ void KeyframeMap::close_loop(const std::vector<LoopMatch>& matches, std::size_t 
   } else if (covariance) {
     const PairPrior prior = prior_of(older, *covariance);
     join(loop_closer_->verifier, older, match.verification.T_a_b, prior, candidate);
+    if (candidate.error > options_.loops.pair.max_error) {
+      keep_contradiction(matches, index, candidate);
+    }
   } else if (candidate.reason = find_doubt(matches, index); candidate.reason.empty()) {
     link_part(match, candidate);
   }
@@ -218,16 +222,21 @@ bool KeyframeMap::take_back_worst_loop() {
   if (worst.error <= options_.loops.max_residual) return false;
   const PoseGraphEdge edge = graph().edges()[worst.edge];
   optimizer_.remove_edge(worst.edge);
+  take_back(edge, fmt::format("taken back: {:.1f} standard deviations from the optimised graph",
+                              worst.error));
+  return true;
+}
+
+/// Says in the row of an edge that it is no more.
+void KeyframeMap::take_back(const PoseGraphEdge& edge, const std::string& reason) {
   for (LoopCandidate& candidate : candidates_) {
-    if (candidate.kind != EdgeKind::kLoop || node_id(candidate.from) != edge.from ||
-        node_id(candidate.to) != edge.to) {
+    if (!candidate.accepted || candidate.kind != edge.kind ||
+        node_id(candidate.from) != edge.from || node_id(candidate.to) != edge.to) {
       continue;
     }
     candidate.accepted = false;
-    candidate.reason =
-        fmt::format("taken back: {:.1f} standard deviations from the optimised graph", worst.error);
+    candidate.reason = reason;
   }
-  return true;
 }
 
 }  // namespace cvo_slam

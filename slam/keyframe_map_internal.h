@@ -87,10 +87,16 @@ class KeyframeMap {
   void add_part_link(const PartLink& link);
   void move_part(int part, const SE3& T_new_old);
   void update_parts();
+  // keyframe_map_contradictions.cc
+  void keep_contradiction(const std::vector<LoopMatch>& matches, std::size_t index,
+                          LoopCandidate& candidate);
+  [[nodiscard]] bool leads_out_of(const PoseGraphEdge& edge, int segment) const;
+  void take_back_joins();
   [[nodiscard]] PairPrior prior_of(std::size_t older, const Matrix6& covariance) const;
   void join(PairVerifier& verifier, std::size_t older, const SE3& T_older_newer,
             const PairPrior& prior, LoopCandidate& candidate);
   bool take_back_worst_loop();
+  void take_back(const PoseGraphEdge& edge, const std::string& reason);
   void optimize(OptimizationScope scope);
   [[nodiscard]] double usual_cos_theta() const;
 
@@ -102,9 +108,10 @@ class KeyframeMap {
   PoseGraphOptimizer optimizer_;
   std::vector<KeyframeView> views_;  // in the order of the graph's nodes
   std::vector<LoopCandidate> candidates_;
-  std::vector<PartLink> part_links_;  // that did not join parts yet
-  std::vector<PoseGraphEdge> gaps_;   // from the last of a segment to the first of the next
-  SE3 T_world_newest_tracked_;        // the tracker's world
+  std::vector<PartLink> part_links_;      // that did not join parts yet
+  std::vector<PartLink> contradictions_;  // that the graph does not believe
+  std::vector<PoseGraphEdge> gaps_;       // from the last of a segment to the first of the next
+  SE3 T_world_newest_tracked_;            // the tracker's world
   GraphStatistics statistics_;
   double sum_of_cos_theta_ = 0;  // of the odometry edges
   std::size_t odometry_edges_ = 0;

@@ -78,9 +78,13 @@ std::optional<PairPrior> KeyframeMap::prior_of_lost(std::size_t older, const Tim
   return prior;
 }
 
-/// Whether the camera can have come to where a match says it is.
+/// Whether the camera can have come to where a match says it is: little moved, however long it was
+/// lost, for look-alikes are further apart, or by what is known of its motion.
 bool KeyframeMap::is_likely(const LoopMatch& match, const Timestamp& now) const {
-  const auto prior = prior_of_lost(graph().index_of(node_id(match.keyframe)), now);
+  const std::size_t older = graph().index_of(node_id(match.keyframe));
+  const SE3 T_older_last = views_[older].T_world_camera.inverse() * views_.back().T_world_camera;
+  if (is_one_place(T_older_last, match.verification.T_a_b)) return true;
+  const auto prior = prior_of_lost(older, now);
   if (!prior) return false;
   const Eigen::Matrix<double, 6, 1> error =
       (prior->T_older_newer.inverse() * match.verification.T_a_b).log();

@@ -59,9 +59,10 @@ OptionSet describe(RelocalizationOptions& o) {
            "This share of the cells, together with min_visible_share.")
       .add("min_visible_share", o.min_visible_share, {0, 1}, "",
            "Of the features that both images should see, the share that must match.")
-      .add("min_likeness", o.min_likeness, {0, 10}, "",
-           "Twice the share of the cells plus the registration's cos_theta as a share of the usual. "
-           "Look-alikes of `house`, with the same prints on other paint, reach 2.5.")
+      .add(
+          "min_likeness", o.min_likeness, {0, 10}, "",
+          "Twice the share of the cells plus the registration's cos_theta as a share of the usual. "
+          "Look-alikes of `house`, with the same prints on other paint, reach 2.5.")
       .add("lost_speed", o.lost_speed, {0, 1e6}, "m/s",
            "Standard deviation of the speed of a lost camera.")
       .add("lost_angular_speed", o.lost_angular_speed, {0, 1e6}, "rad/s",

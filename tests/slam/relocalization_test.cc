@@ -4,12 +4,14 @@
 // What is done where the graph does not say where a camera can be: parts are joined, and lost
 // cameras are found.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/slam/slam.h"
 #include "cvo_slam/tests/slam/map_of_places.h"
@@ -80,6 +82,20 @@ TEST_F(PartsOfAMap, OnesThatLookLikeTwoPlacesAreNotJoined) {
   EXPECT_TRUE(has_reason("shows as much of it"));
 }
 
+// The segment begins at a place that looks like one that is known, and goes on to another one.
+TEST_F(PartsOfAMap, JoinedAtALookAlikeAreJoinedAgainWhenMoreSaysOtherwise) {
+  walk(5);
+  for (int i = 0; i < 6; ++i) add(kElsewhere + place(i), pose(kElsewhere + place(i)));
+  const std::size_t first = poses_.size();
+  for (int i = 0; i < 3; ++i) add(place(i), look_alike(place(i)), 1);
+  EXPECT_EQ(parts(), 1U) << "three agree";
+  for (int i = 0; i < 5; ++i) add(kElsewhere + place(i), pose(kElsewhere + place(i)), 1);
+  EXPECT_TRUE(has_reason("say that its segment is elsewhere"));
+  EXPECT_EQ(parts(), 1U);
+  for (int i = 0; i < 3; ++i)
+    expect_pose(first + static_cast<std::size_t>(i), look_alike(place(i)));
+}
+
 TEST_F(PartsOfAMap, FarFromWhereTheCameraWasLostALikenessMustBeStrong) {
   SlamOptions options = loop_options();
   options.loops.relocalization.min_coverage = options.loops.relocalization.min_visible_share = 1;
@@ -97,7 +113,7 @@ TEST_F(PartsOfAMap, NearWhereTheCameraWasLostItNeedNot) {
   options.loops.relocalization.min_likeness = 10;
   make_map(options);
   walk(6);
-  add(place(5) - 3, pose(place(5)), 1);  // a frame later and a few centimetres off
+  add(place(5) - 1, pose(place(5)), 1);  // a frame later and a frame's way off
   ASSERT_FALSE(loops_of_newest().empty());
   EXPECT_THAT(loops_of_newest()[0].reason, HasSubstr("waits for keyframes that agree"));
 }
@@ -240,6 +256,82 @@ TEST_F(KidnappedCamera, GivesTheSameAgainWithTwoThreadsAndPipelined) {
   tracker_.threads = slam_.optimizer.threads = 2;
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());
+}
+
+/// A camera walks, stands for two seconds, and walks on.
+class BlindedCamera : public testing::Test {
+ protected:
+  static constexpr std::size_t kStop = 20;
+  static constexpr std::size_t kOn = kStop + 60;
+  static constexpr std::size_t kFrames = kOn + 20;
+
+  static std::size_t place(std::size_t index) {
+    if (index < kStop) return index;
+    return index < kOn ? kStop : index - kOn + kStop + 1;
+  }
+  static void SetUpTestSuite() {
+    const SyntheticFrames walk{small_camera(320, 240)};
+    frames_.clear();
+    for (std::size_t i = 0; i < kFrames; ++i) {
+      if (i <= kStop || i >= kOn) {
+        frames_.push_back(walk.frame(i, place(i)));
+        continue;
+      }
+      RgbdFrame frame = frames_[kStop];
+      frame.index = i;
+      frame.stamp = frame.depth_stamp = Timestamp::from_seconds(100 + static_cast<double>(i) / 30);
+      frames_.push_back(frame);
+    }
+  }
+  static void TearDownTestSuite() { frames_.clear(); }
+
+  enum class Blind { kNot, kWhite, kBlack, kBlurred };
+  static RgbdFrame spoiled(const RgbdFrame& original, Blind blind) {
+    RgbdFrame frame = original;
+    if (blind == Blind::kBlurred) {
+      constexpr double kWidth = 20;  // [px]; nothing has a gradient any more
+      cv::GaussianBlur(original.color, frame.color, {}, kWidth);
+      return frame;
+    }
+    frame.color = original.color.clone();
+    frame.color.setTo(cv::Scalar::all(blind == Blind::kWhite ? 255 : 0));
+    frame.depth = cv::Mat::zeros(original.depth.size(), CV_16U);
+    return frame;
+  }
+  static Trajectory run(Blind blind) {
+    Slam slam(small_camera(320, 240), tracker_test_options(), loop_options());
+    for (std::size_t i = 0; i < kFrames; ++i) {
+      const bool is_blind = blind != Blind::kNot && i >= kStop && i < kOn;
+      slam.track(is_blind ? spoiled(frames_[i], blind) : frames_[i]);
+    }
+    slam.finish();
+    return slam.trajectory();
+  }
+  /// Root of the mean squared distance from the true positions [m].
+  static double error(const Trajectory& trajectory) {
+    const SyntheticFrames walk{small_camera(320, 240)};
+    double sum = 0;
+    for (const StampedPose& pose : trajectory.poses) {
+      const auto frame = std::find_if(frames_.begin(), frames_.end(),
+                                      [&](const RgbdFrame& f) { return f.stamp == pose.stamp; });
+      const SE3 T_true = walk.T_first_camera(0, place(frame->index));
+      sum += (pose.T_world_camera.translation() - T_true.translation()).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(trajectory.poses.size()));
+  }
+
+  static inline std::vector<RgbdFrame> frames_;
+};
+
+TEST_F(BlindedCamera, GoesOnAndIsNotMuchWorse) {
+  const double undisturbed = error(run(Blind::kNot));
+  for (const Blind blind : {Blind::kWhite, Blind::kBlack, Blind::kBlurred}) {
+    const Trajectory trajectory = run(blind);
+    EXPECT_EQ(trajectory.lost.size(), kOn - kStop) << "the blind frames and no others";
+    EXPECT_EQ(trajectory.poses.size(), kFrames - (kOn - kStop));
+    // As the issue asks; a tenth of a pixel at 2 m, 0.8 mm, is what noise may do.
+    EXPECT_LT(error(trajectory), 1.5 * undisturbed + 0.0008);
+  }
 }
 
 }  // namespace
