@@ -28,13 +28,13 @@ std::string find_fault(const RegistrationResult& result, const LostOptions& limi
   return {};
 }
 
-/// After a time without tracking the camera may be anywhere, and any other view has something that
-/// resembles the keyframe: more must agree.
-LostOptions limits_after(double seconds, LostOptions limits) {
+/// A lost camera may be anywhere, the longer the more, and any view has something that resembles
+/// the keyframe: more must agree.
+LostOptions limits_of_lost(double seconds, LostOptions limits) {
   constexpr double kLong = 0.5;  // [s]
-  if (seconds <= kLong) return limits;
-  limits.min_overlap = std::min(1.0, 2 * limits.min_overlap);
-  limits.min_cos_theta = std::min(1.0, 2 * limits.min_cos_theta);
+  const double factor = seconds > kLong ? 2 : 1.5;
+  limits.min_overlap = std::min(1.0, factor * limits.min_overlap);
+  limits.min_cos_theta = std::min(1.0, factor * limits.min_cos_theta);
   return limits;
 }
 
@@ -203,7 +203,9 @@ std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, int ski
   }
   record.T_world_camera = T_world_keyframe * record.registration.T_fixed_moving;
   const double seconds = seconds_between(motion.last_stamp(), record.stamp);
-  std::string fault = find_fault(record.registration, limits_after(seconds, options.lost));
+  const bool is_lost = lost_in_a_row > 0;
+  std::string fault = find_fault(record.registration,
+                                 is_lost ? limits_of_lost(seconds, options.lost) : options.lost);
   if (!fault.empty()) return fault;
   return find_motion_fault(motion.last_pose(), record.T_world_camera, seconds, options.lost);
 }

@@ -158,9 +158,7 @@ void KeyframeMap::close_loop(const std::vector<LoopMatch>& matches, std::size_t 
   } else if (covariance) {
     const PairPrior prior = prior_of(older, *covariance);
     join(loop_closer_->verifier, older, match.verification.T_a_b, prior, candidate);
-    if (candidate.error > options_.loops.pair.max_error) {
-      keep_contradiction(matches, index, candidate);
-    }
+    if (candidate.error > options_.loops.pair.max_error) keep_contradiction(matches, index);
   } else if (candidate.reason = find_doubt(matches, index); candidate.reason.empty()) {
     link_part(match, candidate);
   }

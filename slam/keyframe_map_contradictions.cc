@@ -15,12 +15,11 @@ namespace cvo_slam {
 
 /// Keeps a place that the graph refuses, where it is the graph that may be wrong: the way there
 /// leads through another place that was recognised.
-void KeyframeMap::keep_contradiction(const std::vector<LoopMatch>& matches, std::size_t index,
-                                     LoopCandidate& candidate) {
+void KeyframeMap::keep_contradiction(const std::vector<LoopMatch>& matches, std::size_t index) {
   const std::size_t older = graph().index_of(node_id(matches[index].keyframe));
   if (views_[older].segment == views_.back().segment) return;
   if (!find_doubt(matches, index).empty()) return;
-  LoopCandidate unprejudiced = candidate;
+  LoopCandidate unprejudiced;
   const auto measurement =
       loop_closer_->verifier.verify(*views_[older].cloud, matches[index].verification.T_a_b,
                                     nullptr, usual_cos_theta(), unprejudiced);

@@ -88,8 +88,7 @@ class KeyframeMap {
   void move_part(int part, const SE3& T_new_old);
   void update_parts();
   // keyframe_map_contradictions.cc
-  void keep_contradiction(const std::vector<LoopMatch>& matches, std::size_t index,
-                          LoopCandidate& candidate);
+  void keep_contradiction(const std::vector<LoopMatch>& matches, std::size_t index);
   [[nodiscard]] bool leads_out_of(const PoseGraphEdge& edge, int segment) const;
   void take_back_joins();
   [[nodiscard]] PairPrior prior_of(std::size_t older, const Matrix6& covariance) const;

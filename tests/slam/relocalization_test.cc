@@ -111,6 +111,7 @@ TEST_F(PartsOfAMap, NearWhereTheCameraWasLostItNeedNot) {
   SlamOptions options = loop_options();
   options.loops.relocalization.min_coverage = options.loops.relocalization.min_visible_share = 1;
   options.loops.relocalization.min_likeness = 10;
+  options.loops.detection.candidates.min_gap = 0;
   make_map(options);
   walk(6);
   add(place(5) - 1, pose(place(5)), 1);  // a frame later and a frame's way off
