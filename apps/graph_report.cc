@@ -22,6 +22,20 @@ std::string recognition_fields(const LoopCandidate& c) {
   return fmt::format("{:.4f},{:.3f},{}", c.score, c.normalized_score, c.inliers);
 }
 
+/// What the registrations found; empty where the candidate was refused before.
+std::string registration_fields(const LoopCandidate& c) {
+  if (c.overlap == 0) return ",,,";
+  return fmt::format("{:.4f},{:.4f},{:.5f},{:.5f}", c.overlap, c.cos_theta,
+                     c.round_trip_translation, c.round_trip_rotation);
+}
+
+/// How that fits the graph; empty where it was not asked, or does not know.
+std::string correction_fields(const LoopCandidate& c) {
+  if (c.error == 0) return ",,";
+  return fmt::format("{:.5f},{:.5f},{:.3f}", c.correction_translation, c.correction_rotation,
+                     c.error);
+}
+
 auto accepted(const std::vector<LoopCandidate>& candidates) {
   return std::count_if(candidates.begin(), candidates.end(),
                        [](const LoopCandidate& candidate) { return candidate.accepted; });
@@ -30,6 +44,7 @@ auto accepted(const std::vector<LoopCandidate>& candidates) {
 }  // namespace
 
 std::string_view name_of(const LoopCandidate& candidate) {
+  if (candidate.relocalization) return "lost";
   switch (candidate.kind) {
     case EdgeKind::kOdometry:
       return "odometry";
@@ -91,11 +106,11 @@ std::string loops_csv(const std::vector<LoopCandidate>& candidates) {
       "round_trip_rad,correction_m,"
       "correction_rad,standard_deviations,verdict,reason\n";
   for (const LoopCandidate& c : candidates) {
-    csv += fmt::format(
-        "{},{},{},{},{:.2f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{},{}\n", name_of(c),
-        c.from, c.to, recognition_fields(c), c.expected_overlap, c.overlap, c.cos_theta,
-        c.round_trip_translation, c.round_trip_rotation, c.correction_translation,
-        c.correction_rotation, c.error, c.accepted ? "accepted" : "rejected", csv_quoted(c.reason));
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{}\n", name_of(c), c.from, c.to, recognition_fields(c),
+                    c.expected_overlap ? fmt::format("{:.2f}", *c.expected_overlap) : "",
+                    registration_fields(c), correction_fields(c),
+                    c.accepted ? "accepted" : "rejected", csv_quoted(c.reason));
   }
   return csv;
 }

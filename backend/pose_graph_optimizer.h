@@ -27,6 +27,9 @@ class PoseGraphOptimizer {
   void add_node(const PoseGraphNode& node);
   void add_edge(const PoseGraphEdge& edge);
   void remove_edge(std::size_t index);
+  void set_pose(std::size_t index, const SE3& T_world_node) {
+    graph_.set_pose(index, T_world_node);
+  }
 
   /// A window's time depends on the window's size, not on the graph's (apart from a few passes over
   /// the lists of nodes and edges); it starts at the given poses, whatever the option says. The

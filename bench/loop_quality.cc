@@ -22,6 +22,7 @@
 
 #include "cvo_slam/apps/match_picture.h"
 #include "cvo_slam/apps/settings.h"
+#include "cvo_slam/bench/seen_share.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/pose_interpolation.h"
 #include "cvo_slam/frontend/point_selection.h"
@@ -70,35 +71,6 @@ struct Judged {
     return translation <= kTranslation && rotation <= kRotation;
   }
 };
-
-/// The share of b's surface that a sees as well, by their depth images.
-double seen_share(const KnownView& a, const KnownView& b, const Camera& camera) {
-  constexpr int kGrid = 16;  // [px]
-  const SE3 T_a_b = a.T_world_camera.inverse() * b.T_world_camera;
-  int total = 0;
-  int seen = 0;
-  for (int v = kGrid / 2; v < b.frame.depth.rows; v += kGrid) {
-    for (int u = kGrid / 2; u < b.frame.depth.cols; u += kGrid) {
-      const double z = b.frame.depth.at<std::uint16_t>(v, u) / camera.depth_scale;
-      if (z <= 0) continue;
-      ++total;
-      const Vector3 p = T_a_b * (z * camera.color.unproject({u, v}));
-      if (p.z() <= 0.1) continue;
-      const Eigen::Vector2d pixel = camera.color.project(p);
-      if (!camera.color.contains(pixel)) continue;
-      const double there = a.frame.depth.at<std::uint16_t>(static_cast<int>(pixel.y()),
-                                                           static_cast<int>(pixel.x())) /
-                           camera.depth_scale;
-      // Without a depth nothing says that it is hidden.
-      if (there <= 0 || std::abs(there - p.z()) < 0.05 + 0.05 * p.z()) ++seen;
-    }
-  }
-  return total > 0 ? static_cast<double>(seen) / total : 0;
-}
-
-double overlap(const KnownView& a, const KnownView& b, const Camera& camera) {
-  return std::min(seen_share(a, b, camera), seen_share(b, a, camera));
-}
 
 /// A run of the detector over a sequence.
 class Quality {
@@ -158,7 +130,8 @@ class Quality {
   }
 
   [[nodiscard]] double overlap_of(std::size_t i, std::size_t j) const {
-    return overlap(views_[i], views_[j], data_->camera());
+    const SE3 T_i_j = views_[i].T_world_camera.inverse() * views_[j].T_world_camera;
+    return mutual_share(views_[i].frame, views_[j].frame, T_i_j, data_->camera());
   }
 
   [[nodiscard]] Judged judge(std::size_t older, std::size_t newer, LoopMatch match) const {

@@ -28,6 +28,16 @@ std::string find_fault(const RegistrationResult& result, const LostOptions& limi
   return {};
 }
 
+/// A lost camera may be anywhere, the longer the more, and any view has something that resembles
+/// the keyframe: more must agree.
+LostOptions limits_of_lost(double seconds, LostOptions limits) {
+  constexpr double kLong = 0.5;  // [s]
+  const double factor = seconds > kLong ? 2 : 1.5;
+  limits.min_overlap = std::min(1.0, factor * limits.min_overlap);
+  limits.min_cos_theta = std::min(1.0, factor * limits.min_cos_theta);
+  return limits;
+}
+
 /// Why the camera cannot have moved from `a` to `b` in `seconds`; empty where it can.
 std::string find_motion_fault(const SE3& a, const SE3& b, double seconds,
                               const LostOptions& limits) {
@@ -89,8 +99,11 @@ struct Tracker::Impl {
   int segment = 0;
   int lost_in_a_row = 0;
 
+  [[nodiscard]] FrameRecord record_of(const RgbdFrame& frame) const;
   void track(const RgbdFrame& frame, FrameRecord& record);
-  void start_segment(const RgbdFrame& frame, FrameRecord& record);
+  void resume(const RgbdFrame& frame, const SE3& T_world_camera, FrameRecord& record);
+  [[nodiscard]] std::string prepare(const RgbdFrame& frame, FrameRecord& record);
+  void start_segment(const RgbdFrame& frame, const SE3& T_world_camera, FrameRecord& record);
   void select(const RgbdFrame& frame, int count);
   void undo_shutter(const Vector6& velocity);
   [[nodiscard]] bool has_rolling_shutter() const {
@@ -105,6 +118,14 @@ struct Tracker::Impl {
   void accept(const RgbdFrame& frame, FrameRecord& record);
   void reject(const std::string& reason, FrameRecord& record);
 };
+
+FrameRecord Tracker::Impl::record_of(const RgbdFrame& frame) const {
+  FrameRecord record;
+  record.index = frame.index;
+  record.stamp = frame.stamp;
+  record.segment = segment;
+  return record;
+}
 
 /// Makes the frame that the selector is prepared for the keyframe.
 void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera) {
@@ -147,10 +168,11 @@ void Tracker::Impl::undo_shutter(const Vector6& velocity) {
   undo_rolling_shutter(seen, velocity, camera.readout_time, camera.color.height, cloud);
 }
 
-/// Begins a segment at the last known pose, which is the origin at first.
-void Tracker::Impl::start_segment(const RgbdFrame& frame, FrameRecord& record) {
+void Tracker::Impl::start_segment(const RgbdFrame& frame, const SE3& T_world_camera,
+                                  FrameRecord& record) {
+  lost_in_a_row = 0;
   record.status = TrackingStatus::kTracked;
-  record.T_world_camera = motion.last_pose();
+  record.T_world_camera = T_world_camera;
   record.keyframe = frame.index;
   record.keyframe_reason = "start of a segment";
   record.registration = {};
@@ -158,8 +180,8 @@ void Tracker::Impl::start_segment(const RgbdFrame& frame, FrameRecord& record) {
   record.registration.reason = "the keyframe itself";
   record.registration.overlap = 1;
   record.registration.cos_theta = 1;
-  motion.stop();
   motion.update(frame.stamp, record.T_world_camera);
+  motion.stop();  // from wherever it was before, the camera did not move here
   remember(frame);
   selector.prepare(frame);
   set_keyframe(frame, record.T_world_camera);
@@ -180,10 +202,12 @@ std::string Tracker::Impl::register_from(const SE3& T_world_camera_init, int ski
     record.registration = registration.align(cloud, T_init, skip);
   }
   record.T_world_camera = T_world_keyframe * record.registration.T_fixed_moving;
-  std::string fault = find_fault(record.registration, options.lost);
+  const double seconds = seconds_between(motion.last_stamp(), record.stamp);
+  const bool is_lost = lost_in_a_row > 0;
+  std::string fault = find_fault(record.registration,
+                                 is_lost ? limits_of_lost(seconds, options.lost) : options.lost);
   if (!fault.empty()) return fault;
-  return find_motion_fault(motion.last_pose(), record.T_world_camera,
-                           seconds_between(motion.last_stamp(), record.stamp), options.lost);
+  return find_motion_fault(motion.last_pose(), record.T_world_camera, seconds, options.lost);
 }
 
 /// Registers from the predicted pose; where that fails with all length scales; where that fails too
@@ -250,26 +274,37 @@ void Tracker::Impl::reject(const std::string& reason, FrameRecord& record) {
   record.reason = reason;
 }
 
-void Tracker::Impl::track(const RgbdFrame& frame, FrameRecord& record) {
-  const std::string problem = check_images(frame, camera);
-  if (!problem.empty()) return reject(problem, record);
+/// Selects the frame's points; returns why that cannot be done, or nothing.
+std::string Tracker::Impl::prepare(const RgbdFrame& frame, FrameRecord& record) {
+  std::string problem = check_images(frame, camera);
+  if (!problem.empty()) return problem;
   selector.prepare(frame);
   select(frame, options.points);
   record.points = seen.size();
-  if (seen.size() < static_cast<std::size_t>(options.lost.min_points)) {
-    return reject(fmt::format("only {} points with gradient and depth", seen.size()), record);
-  }
-  if (!keyframe) return start_segment(frame, record);
+  if (seen.size() >= static_cast<std::size_t>(options.lost.min_points)) return {};
+  return fmt::format("only {} points with gradient and depth", seen.size());
+}
+
+void Tracker::Impl::track(const RgbdFrame& frame, FrameRecord& record) {
+  const std::string problem = prepare(frame, record);
+  if (!problem.empty()) return reject(problem, record);
+  if (!keyframe) return start_segment(frame, motion.last_pose(), record);
 
   const std::string fault = register_frame(frame, record);
   if (fault.empty()) return accept(frame, record);
   reject(fault, record);
   if (lost_in_a_row >= options.lost.restart_after) {
-    lost_in_a_row = 0;
     record.reason.clear();
     record.segment = ++segment;
-    start_segment(frame, record);
+    start_segment(frame, motion.last_pose(), record);
   }
+}
+
+void Tracker::Impl::resume(const RgbdFrame& frame, const SE3& T_world_camera, FrameRecord& record) {
+  record.reason = prepare(frame, record);
+  if (!record.reason.empty()) return;
+  record.segment = ++segment;
+  start_segment(frame, T_world_camera, record);
 }
 
 Tracker::Tracker(const Camera& camera, const TrackerOptions& options)
@@ -284,11 +319,14 @@ void Tracker::observe_keyframes(KeyframeObserver observer) {
 }
 
 FrameRecord Tracker::track(const RgbdFrame& frame) {
-  FrameRecord record;
-  record.index = frame.index;
-  record.stamp = frame.stamp;
-  record.segment = impl_->segment;
+  FrameRecord record = impl_->record_of(frame);
   impl_->track(frame, record);
+  return record;
+}
+
+FrameRecord Tracker::resume(const RgbdFrame& frame, const SE3& T_world_camera) {
+  FrameRecord record = impl_->record_of(frame);
+  impl_->resume(frame, T_world_camera, record);
   return record;
 }
 

@@ -30,8 +30,8 @@ struct FrameRecord {
   TrackingStatus status = TrackingStatus::kLost;
   std::string reason;  ///< why it is lost; empty where it is tracked
   SE3 T_world_camera;  ///< valid where tracked
-  /// Segments are not connected to each other: a new one starts where tracking resumes after too
-  /// long a loss.
+  /// A new one starts where tracking resumes after too long a loss. Poses of different segments are
+  /// of different worlds.
   int segment = 0;
   std::size_t keyframe = 0;     ///< index of the frame it was registered against
   std::string keyframe_reason;  ///< why it became a keyframe itself; empty where it did not
@@ -58,7 +58,12 @@ class Tracker {
   /// The first tracked camera is the origin of the world.
   FrameRecord track(const RgbdFrame& frame);
 
-  /// The observer is called within track(), in the order in which keyframes are made, once for each
+  /// Goes on where T_world_camera says that a frame was taken which track() has just called lost,
+  /// for one who has recognised the place: a new segment starts there, in whatever world the pose
+  /// is of. Lost it stays where its images are of no use.
+  FrameRecord resume(const RgbdFrame& frame, const SE3& T_world_camera);
+
+  /// The observer is called within these, in the order in which keyframes are made, once for each
   /// but the first of a segment: that is made again, with other points, when the next frame has
   /// told how the camera moves.
   void observe_keyframes(KeyframeObserver observer);

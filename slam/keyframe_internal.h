@@ -25,13 +25,21 @@ struct KeyframeLink {
   double cos_theta = 0;
 };
 
+/// Where a lost camera was recognised to be.
+struct FoundPlace {
+  KeyframeLink link;  ///< to the keyframe that shows the place
+  SE3 T_world_camera;
+  int part = 0;  ///< of the graph, see KeyframeMap::part_of()
+};
+
 /// What the tracker knows of a keyframe.
 struct TrackedKeyframe {
   std::size_t frame = 0;
   Timestamp stamp;
   int segment = 0;
   SE3 T_world_camera;
-  std::optional<KeyframeLink> link;  ///< none for the first of a segment
+  std::optional<KeyframeLink> link;   ///< none for the first of a segment
+  std::optional<KeyframeLink> place;  ///< of the first of a segment, where the place was recognised
   std::shared_ptr<const PointCloud> cloud;
   std::shared_ptr<const RgbdFrame> image;  ///< none where places are not recognised
 };

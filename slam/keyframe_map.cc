@@ -10,6 +10,7 @@
 #include "cvo_slam/core/pose_graph_cost.h"
 #include "cvo_slam/slam/keyframe_map_internal.h"
 #include "cvo_slam/slam/path_uncertainty_internal.h"
+#include "cvo_slam/slam/view_overlap_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -17,18 +18,6 @@ namespace {
 bool are_joined(const PoseGraph& graph, NodeId from, NodeId to) {
   return std::any_of(graph.edges().begin(), graph.edges().end(),
                      [&](const PoseGraphEdge& edge) { return edge.from == from && edge.to == to; });
-}
-
-LoopCandidate candidate_of(const LoopMatch& match) {
-  LoopCandidate candidate;
-  candidate.kind = EdgeKind::kLoop;
-  candidate.from = match.keyframe;
-  candidate.to = match.query;
-  candidate.score = match.score;
-  candidate.normalized_score = match.normalized_score;
-  candidate.inliers = match.verification.inliers;
-  candidate.pixels = match.verification.pixels;
-  return candidate;
 }
 
 struct LoopResidual {
@@ -49,6 +38,18 @@ LoopResidual worst_loop(const PoseGraph& graph) {
 
 }  // namespace
 
+LoopCandidate candidate_of(const LoopMatch& match) {
+  LoopCandidate candidate;
+  candidate.kind = EdgeKind::kLoop;
+  candidate.from = match.keyframe;
+  candidate.to = match.query;
+  candidate.score = match.score;
+  candidate.normalized_score = match.normalized_score;
+  candidate.inliers = match.verification.inliers;
+  candidate.pixels = match.verification.pixels;
+  return candidate;
+}
+
 KeyframeMap::KeyframeMap(const Camera& camera, const RegistrationOptions& registration, int threads,
                          const SlamOptions& options,
                          const std::shared_ptr<const Vocabulary>& vocabulary)
@@ -68,7 +69,9 @@ SE3 KeyframeMap::add(const TrackedKeyframe& keyframe) {
   // Of the graph as its poses are: what is joined now has not moved them yet.
   const Covariances covariances = path_covariances(graph(), views_.size() - 1);
   join_near_views(covariances);
-  const bool has_loop = loop_closer_ && keyframe.image && close_loops(*keyframe.image, covariances);
+  bool has_loop = loop_closer_ && keyframe.image && close_loops(*keyframe.image, covariances);
+  take_back_joins();
+  has_loop = join_parts() || has_loop;
   ++not_optimized_;
   if (has_loop) {
     optimize_all();
@@ -81,13 +84,19 @@ SE3 KeyframeMap::add(const TrackedKeyframe& keyframe) {
 void KeyframeMap::add_node(const TrackedKeyframe& keyframe) {
   is_optimized_ = false;
   SE3 T_world_camera = keyframe.T_world_camera;
-  if (keyframe.link) {
-    const std::size_t reference = graph().index_of(node_id(keyframe.link->reference));
-    T_world_camera = (graph().nodes()[reference].T_world_node * keyframe.link->T_reference_keyframe)
-                         .normalized();
+  int part = keyframe.segment;
+  if (const auto& known = keyframe.link ? keyframe.link : keyframe.place) {
+    const KeyframeView& reference = views_[graph().index_of(node_id(known->reference))];
+    T_world_camera = (reference.T_world_camera * known->T_reference_keyframe).normalized();
+    part = reference.part;
+  } else if (!views_.empty()) {
+    T_world_camera = after_gap(keyframe);
   }
-  views_.push_back({keyframe.frame, keyframe.segment, T_world_camera, keyframe.cloud});
+  views_.push_back(
+      {keyframe.frame, keyframe.segment, part, T_world_camera, keyframe.cloud, keyframe.stamp});
+  T_world_newest_tracked_ = keyframe.T_world_camera;
   optimizer_.add_node({node_id(keyframe.frame), T_world_camera});
+  if (keyframe.place) add_place(*keyframe.place, keyframe.frame);
   if (!keyframe.link) return;
   const KeyframeLink& link = *keyframe.link;
   optimizer_.add_edge(
@@ -123,28 +132,36 @@ bool KeyframeMap::close_loops(const RgbdFrame& image, const Covariances& covaria
   detector.add(appearance);
   if (!matches.empty()) loop_closer_->verifier.set_newest(*views_.back().cloud);
   bool closed = false;
-  for (const LoopMatch& match : matches) {
-    LoopCandidate candidate = candidate_of(match);
-    close_loop(match, covariances, candidate);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    LoopCandidate candidate = candidate_of(matches[i]);
+    close_loop(matches, i, covariances, candidate);
     closed = closed || candidate.accepted;
     candidates_.push_back(std::move(candidate));
   }
   return closed;
 }
 
-void KeyframeMap::close_loop(const LoopMatch& match, const Covariances& covariances,
-                             LoopCandidate& candidate) {
+void KeyframeMap::close_loop(const std::vector<LoopMatch>& matches, std::size_t index,
+                             const Covariances& covariances, LoopCandidate& candidate) {
+  const LoopMatch& match = matches[index];
   const std::size_t older = graph().index_of(node_id(match.keyframe));
   const auto& covariance = covariances[older];
+  const KeyframeView& view = views_[older];
+  if (covariance) {
+    candidate.expected_overlap =
+        mutual_overlap(*view.cloud, *views_.back().cloud,
+                       view.T_world_camera.inverse() * views_.back().T_world_camera, camera_.color);
+  }
   if (!match.verification.accepted) {
     candidate.reason = match.verification.reason;
   } else if (are_joined(graph(), node_id(match.keyframe), node_id(match.query))) {
     candidate.reason = "joined already, as near ones";
-  } else if (!covariance) {
-    candidate.reason = "of another segment: the graph cannot say whether it is likely";
-  } else {
+  } else if (covariance) {
     const PairPrior prior = prior_of(older, *covariance);
     join(loop_closer_->verifier, older, match.verification.T_a_b, prior, candidate);
+    if (candidate.error > options_.loops.pair.max_error) keep_contradiction(matches, index);
+  } else if (candidate.reason = find_doubt(matches, index); candidate.reason.empty()) {
+    link_part(match, candidate);
   }
 }
 
@@ -160,7 +177,7 @@ PairPrior KeyframeMap::prior_of(std::size_t older, const Matrix6& covariance) co
 void KeyframeMap::join(PairVerifier& verifier, std::size_t older, const SE3& T_older_newer,
                        const PairPrior& prior, LoopCandidate& candidate) {
   const auto measurement =
-      verifier.verify(*views_[older].cloud, T_older_newer, prior, usual_cos_theta(), candidate);
+      verifier.verify(*views_[older].cloud, T_older_newer, &prior, usual_cos_theta(), candidate);
   if (!measurement) return;
   optimizer_.add_edge({node_id(candidate.from), node_id(candidate.to), measurement->T_older_newer,
                        edge_information(measurement->T_older_newer, measurement->information),
@@ -190,7 +207,10 @@ void KeyframeMap::optimize(OptimizationScope scope) {
 void KeyframeMap::optimize_all() {
   if (is_optimized_) return;
   optimize(OptimizationScope::kFull);
-  while (take_back_worst_loop()) optimize(OptimizationScope::kFull);
+  while (take_back_worst_loop()) {
+    update_parts();
+    optimize(OptimizationScope::kFull);
+  }
   is_optimized_ = true;
 }
 
@@ -201,16 +221,21 @@ bool KeyframeMap::take_back_worst_loop() {
   if (worst.error <= options_.loops.max_residual) return false;
   const PoseGraphEdge edge = graph().edges()[worst.edge];
   optimizer_.remove_edge(worst.edge);
+  take_back(edge, fmt::format("taken back: {:.1f} standard deviations from the optimised graph",
+                              worst.error));
+  return true;
+}
+
+/// Says in the row of an edge that it is no more.
+void KeyframeMap::take_back(const PoseGraphEdge& edge, const std::string& reason) {
   for (LoopCandidate& candidate : candidates_) {
-    if (candidate.kind != EdgeKind::kLoop || node_id(candidate.from) != edge.from ||
-        node_id(candidate.to) != edge.to) {
+    if (!candidate.accepted || candidate.kind != edge.kind ||
+        node_id(candidate.from) != edge.from || node_id(candidate.to) != edge.to) {
       continue;
     }
     candidate.accepted = false;
-    candidate.reason =
-        fmt::format("taken back: {:.1f} standard deviations from the optimised graph", worst.error);
+    candidate.reason = reason;
   }
-  return true;
 }
 
 }  // namespace cvo_slam

@@ -9,10 +9,7 @@ namespace cvo_slam {
 namespace {
 
 double expected_overlap(const KeyframeView& a, const KeyframeView& b, const PinholeCamera& camera) {
-  const SE3 T_a_b = a.T_world_camera.inverse() * b.T_world_camera;
-  const double b_in_a = visible_share(*b.cloud, T_a_b, camera);
-  if (b_in_a == 0) return 0;
-  return std::min(b_in_a, visible_share(*a.cloud, T_a_b.inverse(), camera));
+  return mutual_overlap(*a.cloud, *b.cloud, a.T_world_camera.inverse() * b.T_world_camera, camera);
 }
 
 bool is_far_from_all(std::size_t index, const std::vector<NearView>& chosen, std::size_t min_gap) {
@@ -33,7 +30,7 @@ std::vector<NearView> find_near_views(const std::vector<KeyframeView>& views,
   const auto recent = static_cast<std::size_t>(options.recent);
   for (std::size_t back = 0; back < before_predecessor; ++back) {
     const std::size_t i = before_predecessor - 1 - back;
-    if (views[i].segment != newest.segment) break;
+    if (views[i].part != newest.part) continue;
     const double overlap = expected_overlap(views[i], newest, camera);
     if (overlap >= options.min_expected_overlap) {
       (back < recent ? chosen : older).push_back({i, overlap});

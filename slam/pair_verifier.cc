@@ -87,7 +87,7 @@ void PairVerifier::set_newest(const PointCloud& cloud) {
 
 std::optional<PairMeasurement> PairVerifier::verify(const PointCloud& older,
                                                     const SE3& T_older_newer,
-                                                    const PairPrior& prior, double usual_cos_theta,
+                                                    const PairPrior* prior, double usual_cos_theta,
                                                     LoopCandidate& candidate) {
   const RegistrationResult back = to_newest_.align(first_points(older, options_.points),
                                                    T_older_newer.inverse(), options_.skip_scales);
@@ -111,7 +111,7 @@ std::optional<PairMeasurement> PairVerifier::verify(const PointCloud& older,
   const SE3 T_middle =
       interpolate(there.T_fixed_moving, back.T_fixed_moving.inverse(), 0.5).normalized();
   const PairMeasurement measurement{T_middle, noise_.added_to(there.information)};
-  compare(measurement, prior, candidate);
+  if (prior != nullptr) compare(measurement, *prior, candidate);
   candidate.reason = find_fault(candidate, usual_cos_theta, options_);
   candidate.accepted = candidate.reason.empty();
   if (!candidate.accepted) return std::nullopt;

@@ -10,6 +10,7 @@
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
+#include "cvo_slam/core/timestamp.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/slam/loop_candidate.h"
 #include "cvo_slam/slam/registration_noise_internal.h"
@@ -21,8 +22,10 @@ namespace cvo_slam {
 struct KeyframeView {
   std::size_t frame = 0;
   int segment = 0;
+  int part = 0;  ///< the first segment among those that the graph connects with this one
   SE3 T_world_camera;
   std::shared_ptr<const PointCloud> cloud;
+  Timestamp stamp;
 };
 
 /// An earlier keyframe to register the newest one to.
@@ -58,9 +61,10 @@ class PairVerifier {
   void set_newest(const PointCloud& cloud);
   /// The measurement, searched for from T_older_newer, where it is believed; `candidate` gets all
   /// figures and the verdict. `usual_cos_theta` is that of registrations that are known to be good.
+  /// Null where the graph does not know the pair.
   [[nodiscard]] std::optional<PairMeasurement> verify(const PointCloud& older,
                                                       const SE3& T_older_newer,
-                                                      const PairPrior& prior,
+                                                      const PairPrior* prior,
                                                       double usual_cos_theta,
                                                       LoopCandidate& candidate);
 

@@ -15,6 +15,7 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/slam/job_queue_internal.h"
 #include "cvo_slam/slam/keyframe_map_internal.h"
+#include "cvo_slam/slam/place_agreement_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -27,14 +28,22 @@ SlamOptions checked(SlamOptions options) {
 /// What the map made of a keyframe; written by its job.
 struct MappedKeyframe {
   int segment = 0;
+  int part = 0;
   SE3 T_world_camera_tracked;
   SE3 T_world_camera;
+};
+
+/// What the map has made of a segment.
+struct Correction {
+  int part = 0;
+  SE3 T_corrected_tracked;
 };
 
 /// What a new keyframe saw.
 struct NewKeyframe {
   std::shared_ptr<const PointCloud> cloud;
   std::shared_ptr<const RgbdFrame> image;  // where loops are looked for
+  std::optional<KeyframeLink> place;       // where the lost camera was found
 };
 
 /// The caller may grab the next images into the memory of these.
@@ -47,9 +56,9 @@ std::shared_ptr<const RgbdFrame> copy_of(const RgbdFrame& frame) {
 
 /// A new keyframe with what the tracker found of it.
 TrackedKeyframe keyframe_of(const FrameRecord& record, NewKeyframe seen) {
-  TrackedKeyframe keyframe{record.index,          record.stamp, record.segment,
-                           record.T_world_camera, std::nullopt, std::move(seen.cloud),
-                           std::move(seen.image)};
+  TrackedKeyframe keyframe{record.index,          record.stamp,         record.segment,
+                           record.T_world_camera, std::nullopt,         std::move(seen.place),
+                           std::move(seen.cloud), std::move(seen.image)};
   if (record.keyframe != record.index) {
     const RegistrationResult& result = record.registration;
     keyframe.link = {record.keyframe, result.T_fixed_moving, result.information, result.cos_theta};
@@ -64,30 +73,38 @@ SE3 pose_in(const PoseGraph& graph, std::size_t keyframe) {
 }  // namespace
 
 struct Slam::Impl {
-  Impl(const Camera& camera, const TrackerOptions& tracker_options, const SlamOptions& slam_options,
-       const std::shared_ptr<const Vocabulary>& vocabulary)
-      : options(checked(slam_options)),
+  Impl(const Camera& camera_in, const TrackerOptions& tracker_options_in,
+       const SlamOptions& slam_options, const std::shared_ptr<const Vocabulary>& vocabulary)
+      : camera(camera_in),
+        tracker_options(tracker_options_in),
+        options(checked(slam_options)),
         tracker(camera, tracker_options),
+        agreement(options.loops.relocalization.frames, tracker_options.lost.max_speed,
+                  tracker_options.lost.max_angular_speed),
         map(camera, tracker_options.registration, tracker_options.threads, options, vocabulary),
         jobs(options.schedule) {
     tracker.observe_keyframes(
         [this](const RgbdFrame& frame, const PointCloud& cloud) { see_keyframe(frame, cloud); });
   }
 
+  Camera camera;
+  TrackerOptions tracker_options;
   SlamOptions options;
   Tracker tracker;
+  PlaceAgreement agreement;                          // of the frames since tracking was lost
   std::map<std::size_t, NewKeyframe> new_keyframes;  // by frame
   std::vector<FrameRecord> tracked;                  // as the tracker answered
   std::vector<FrameRecord> online;                   // with what was known at the time
   std::vector<Keyframe> keyframes;                   // handed over to the map
   std::deque<std::shared_ptr<const MappedKeyframe>> on_their_way;
-  int correction_segment = 0;
-  SE3 T_corrected_tracked;  // worlds of that segment
+  std::map<int, Correction> corrections;  // by segment
   KeyframeMap map;
   JobQueue jobs;  // the last member: its thread ends before what it works on
 
   void see_keyframe(const RgbdFrame& frame, const PointCloud& cloud);
   FrameRecord track(const RgbdFrame& frame);
+  [[nodiscard]] FrameRecord relocalize(const RgbdFrame& frame, const FrameRecord& lost);
+  void correct(FrameRecord& record) const;
   void hand_over_keyframes_before(std::size_t frame);
   void submit(TrackedKeyframe keyframe);
   void apply_corrections(std::size_t left);
@@ -112,16 +129,45 @@ FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
                     frame.index, tracked.back().index));
   }
   FrameRecord record = tracker.track(frame);
+  if (record.status == TrackingStatus::kTracked) {
+    agreement.forget();
+  } else if (options.loops.enabled) {
+    record = relocalize(frame, record);
+  }
   tracked.push_back(record);
   if (record.status == TrackingStatus::kTracked) {
     // A keyframe's points are final when a frame was registered to it.
     hand_over_keyframes_before(frame.index);
-    if (record.segment == correction_segment) {
-      record.T_world_camera = (T_corrected_tracked * record.T_world_camera).normalized();
-    }
+    correct(record);
   }
   online.push_back(record);
   return record;
+}
+
+/// Goes on with a lost frame where enough frames in a row show a place that the map knows.
+FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lost) {
+  if (!check_images(frame, camera).empty()) return lost;
+  hand_over_keyframes_before(frame.index);
+  jobs.wait_until_left(0);
+  const auto place = map.relocalize(
+      frame,
+      select_points(frame, camera, tracker_options.keyframe_points, tracker_options.selection));
+  if (!place || !agreement.see({frame.stamp, place->part, place->T_world_camera})) return lost;
+  FrameRecord record = tracker.resume(frame, place->T_world_camera);
+  if (record.status == TrackingStatus::kLost) return lost;
+  agreement.forget();
+  new_keyframes[frame.index].place = place->link;
+  corrections[record.segment] = {place->part, SE3()};
+  return record;
+}
+
+/// Puts a tracked frame where the map has its segment.
+void Slam::Impl::correct(FrameRecord& record) const {
+  const auto correction = corrections.find(record.segment);
+  if (correction == corrections.end()) return;
+  const auto& [part, T_corrected_tracked] = correction->second;
+  record.segment = part;
+  record.T_world_camera = (T_corrected_tracked * record.T_world_camera).normalized();
 }
 
 void Slam::Impl::hand_over_keyframes_before(std::size_t frame) {
@@ -140,6 +186,7 @@ void Slam::Impl::submit(TrackedKeyframe keyframe) {
   on_their_way.push_back(mapped);
   jobs.submit([this, mapped, keyframe = std::move(keyframe)] {
     mapped->T_world_camera = map.add(keyframe);
+    mapped->part = map.part_of(keyframe.segment);
   });
 }
 
@@ -149,8 +196,8 @@ void Slam::Impl::apply_corrections(std::size_t left) {
   if (on_their_way.size() <= left) return;
   jobs.wait_until_left(left);
   const MappedKeyframe& newest = *on_their_way[on_their_way.size() - left - 1];
-  correction_segment = newest.segment;
-  T_corrected_tracked = newest.T_world_camera * newest.T_world_camera_tracked.inverse();
+  corrections[newest.segment] = {newest.part,
+                                 newest.T_world_camera * newest.T_world_camera_tracked.inverse()};
   on_their_way.erase(on_their_way.begin(), on_their_way.end() - static_cast<std::ptrdiff_t>(left));
 }
 
@@ -212,6 +259,7 @@ Trajectory Slam::trajectory(TrajectoryView view) const {
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (records[i].status == TrackingStatus::kTracked) {
       records[i].T_world_camera = impl_->final_pose(i);
+      records[i].segment = impl_->map.part_of(records[i].segment);
     }
   }
   return to_trajectory(records);
@@ -227,6 +275,7 @@ std::vector<Keyframe> Slam::keyframes() const {
   std::vector<Keyframe> keyframes = impl_->keyframes;
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     keyframes[i].T_world_camera = impl_->map.graph().nodes()[i].T_world_node;
+    keyframes[i].segment = impl_->map.part_of(keyframes[i].segment);
   }
   return keyframes;
 }

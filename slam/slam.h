@@ -27,7 +27,7 @@ enum class TrajectoryView {
 struct Keyframe {
   std::size_t frame = 0;  ///< RgbdFrame::index
   Timestamp stamp;
-  int segment = 0;
+  int segment = 0;  ///< poses of different ones are of different worlds
   SE3 T_world_camera;
 };
 
@@ -39,6 +39,11 @@ struct Keyframe {
 ///   while (...) slam.track(frame);
 ///   slam.finish();
 ///   write_tum("trajectory.txt", slam.trajectory());
+///
+/// Where loops are enabled a lost camera is looked for among the keyframes: when a few frames in a
+/// row agree on where it is, it goes on from there. Else a new segment starts after a while, as the
+/// tracker's options say, in a world of its own, and is joined when enough of its keyframes say
+/// where it is. Segments that are joined are one: FrameRecord::segment is then the first of them.
 ///
 /// Results do not depend on threads, schedule or timing. Until finish() what the functions below
 /// answer is of the keyframes that the map knows so far; they wait for work that is under way.
@@ -61,7 +66,7 @@ class Slam {
   /// Optimises the whole graph. May be called again; tracking may go on after it.
   void finish();
 
-  /// The camera's path: of the segment with most frames; those of others are lost.
+  /// The camera's path: of the segment with most frames, after joining; those of others are lost.
   [[nodiscard]] Trajectory trajectory(TrajectoryView view = TrajectoryView::kFinal) const;
   /// Nodes are keyframes; their ids are the indices of the frames.
   [[nodiscard]] PoseGraph pose_graph() const;

@@ -48,6 +48,42 @@ OptionSet describe(ProximityOptions& o) {
       .add("pair", describe(o.pair));
 }
 
+OptionSet describe(RelocalizationOptions& o) {
+  return OptionSet()
+      .add(
+          "min_likely_coverage", o.min_likely_coverage, {0, 1}, "",
+          "Of the cells of the image in which both images should see features, the share that must "
+          "have some that match, where the camera can have come to since it was lost. Elsewhere, "
+          "where there may be look-alikes, one of the following two is needed besides.")
+      .add("min_coverage", o.min_coverage, {0, 1}, "",
+           "This share of the cells, together with min_visible_share.")
+      .add("min_visible_share", o.min_visible_share, {0, 1}, "",
+           "Of the features that both images should see, the share that must match.")
+      .add(
+          "min_likeness", o.min_likeness, {0, 10}, "",
+          "Twice the share of the cells plus the registration's cos_theta as a share of the usual. "
+          "Look-alikes of `house`, with the same prints on other paint, reach 2.5.")
+      .add("lost_speed", o.lost_speed, {0, 1e6}, "m/s",
+           "Standard deviation of the speed of a lost camera.")
+      .add("lost_angular_speed", o.lost_angular_speed, {0, 1e6}, "rad/s",
+           "The same for its angular speed. With these a second without tracking leaves open where "
+           "the camera is.")
+      .add("rival_share", o.rival_share, {0, 1}, "",
+           "A second place that covers more than this share of what the first one covers leaves "
+           "open which it is.")
+      .add("frames", o.frames, {1, 1000}, "",
+           "A lost camera goes on when so many frames agree on where it is.")
+      .add(
+          "join_keyframes", o.join_keyframes, {1, 1000}, "",
+          "A part of the graph is joined with another when so many keyframes agree on where it is. "
+          "They are a quarter of a view apart, so that this is some way.")
+      .add("max_disagreement_translation", o.max_disagreement_translation, {0, 100}, "m",
+           "How far keyframes that agree may put each other: both parts may have drifted between. "
+           "Places that look alike are metres apart.")
+      .add("max_disagreement_rotation", o.max_disagreement_rotation, {0, 4}, "rad",
+           "The same for the rotation.");
+}
+
 OptionSet describe(LoopClosingOptions& o) {
   return OptionSet()
       .add("enabled", o.enabled,
@@ -57,7 +93,8 @@ OptionSet describe(LoopClosingOptions& o) {
       .add("pair", describe(o.pair))
       .add("max_residual", o.max_residual, {0, 1e6}, "",
            "A loop that the optimised graph contradicts by more of its own standard deviations is "
-           "taken back.");
+           "taken back.")
+      .add("relocalization", describe(o.relocalization));
 }
 
 OptionSet describe(SlamOptions& o) {

@@ -34,6 +34,22 @@ struct ProximityOptions {
   PairOptions pair = {};
 };
 
+/// What it takes to believe in a place where the graph cannot say whether the camera can be there:
+/// when tracking is lost, and to join parts of the graph.
+struct RelocalizationOptions {
+  double min_visible_share = 0.35;
+  double min_coverage = 0.9;
+  double min_likely_coverage = 0.6;
+  double min_likeness = 2.6;
+  double lost_speed = 1.5;
+  double lost_angular_speed = 1;
+  double rival_share = 0.9;
+  int frames = 3;
+  int join_keyframes = 3;
+  double max_disagreement_translation = 0.2;
+  double max_disagreement_rotation = 0.1;
+};
+
 /// Whether and how places that were seen before are recognised by their images.
 struct LoopClosingOptions {
   bool enabled = false;
@@ -43,6 +59,7 @@ struct LoopClosingOptions {
                       .max_round_trip_translation = 0.02,
                       .max_round_trip_rotation = 0.02};
   double max_residual = 8;
+  RelocalizationOptions relocalization;
 };
 
 struct SlamOptions {
@@ -58,6 +75,7 @@ struct SlamOptions {
 
 [[nodiscard]] OptionSet describe(PairOptions& options);
 [[nodiscard]] OptionSet describe(ProximityOptions& options);
+[[nodiscard]] OptionSet describe(RelocalizationOptions& options);
 [[nodiscard]] OptionSet describe(LoopClosingOptions& options);
 [[nodiscard]] OptionSet describe(SlamOptions& options);
 

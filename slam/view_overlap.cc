@@ -22,4 +22,11 @@ double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
   return static_cast<double>(visible) / static_cast<double>(n);
 }
 
+double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
+                      const PinholeCamera& camera) {
+  const double b_in_a = visible_share(b, T_a_b, camera);
+  if (b_in_a == 0) return 0;
+  return std::min(b_in_a, visible_share(a, T_a_b.inverse(), camera));
+}
+
 }  // namespace cvo_slam

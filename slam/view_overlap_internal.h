@@ -12,4 +12,8 @@ namespace cvo_slam {
 [[nodiscard]] double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
                                    const PinholeCamera& camera);
 
+/// The same of two keyframes, each in the other's image; the lower one.
+[[nodiscard]] double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
+                                    const PinholeCamera& camera);
+
 }  // namespace cvo_slam

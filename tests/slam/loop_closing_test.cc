@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Loops by images alone: proximity is off, so that nothing else joins keyframes far apart.
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -12,96 +10,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/frontend/point_selection.h"
-#include "cvo_slam/slam/keyframe_map_internal.h"
 #include "cvo_slam/slam/slam.h"
-#include "cvo_slam/tests/frontend/synthetic_frames.h"
-#include "cvo_slam/tests/frontend/test_frames.h"
-#include "cvo_slam/tests/frontend/tracker_test_options.h"
+#include "cvo_slam/tests/slam/map_of_places.h"
 
 namespace cvo_slam {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr double kCorridor = 6;  // [m]; how far the nearest look-alikes of `house` are apart
-
-SlamOptions loop_options() {
-  SlamOptions options;
-  options.proximity.recent = options.proximity.near = 0;
-  options.loops.enabled = true;
-  options.loops.detection.candidates.min_gap = 3;  // these walks have few keyframes
-  return options;
-}
-
-std::vector<LoopCandidate> loops_of(const std::vector<LoopCandidate>& candidates) {
-  std::vector<LoopCandidate> loops;
-  for (const LoopCandidate& candidate : candidates) {
-    if (candidate.kind == EdgeKind::kLoop) loops.push_back(candidate);
-  }
-  return loops;
-}
-
-std::size_t accepted(const std::vector<LoopCandidate>& loops) {
-  std::size_t count = 0;
-  for (const LoopCandidate& loop : loops) count += loop.accepted ? 1 : 0;
-  return count;
-}
-
-/// A map fed with keyframes whose images and poses need not belong together.
-class LoopsOfAMap : public testing::Test {
- protected:
-  void make_map(const SlamOptions& options) {
-    map_ = std::make_unique<KeyframeMap>(walk_.camera(), tracker_test_options().registration, 1,
-                                         options);
-  }
-
-  /// A keyframe with the image of a place, which the tracker believes to be at a pose.
-  void add(std::size_t place, const SE3& T_world_camera, int segment = 0) {
-    TrackedKeyframe keyframe;
-    keyframe.frame = poses_.size();
-    keyframe.segment = segment;
-    keyframe.T_world_camera = T_world_camera;
-    if (!poses_.empty() && segment == segment_) {
-      keyframe.link = {poses_.size() - 1, poses_.back().inverse() * T_world_camera,
-                       1e6 * Matrix6::Identity(), kCosTheta};
-    }
-    const auto image = std::make_shared<const RgbdFrame>(walk_.frame(poses_.size(), place));
-    keyframe.stamp = image->stamp;
-    keyframe.cloud =
-        std::make_shared<const PointCloud>(select_points(*image, walk_.camera(), kPoints));
-    keyframe.image = image;
-    poses_.push_back(T_world_camera);
-    segment_ = segment;
-    map_->add(keyframe);
-  }
-
-  /// Keyframes along the walk, believed to be where they are.
-  void walk(int keyframes) {
-    for (int i = 0; i < keyframes; ++i) add(place(i), pose(place(i)));
-  }
-  static std::size_t place(int keyframe) { return 8 * static_cast<std::size_t>(keyframe); }
-  [[nodiscard]] SE3 pose(std::size_t place) const { return walk_.T_first_camera(0, place); }
-  /// Another place that looks the same.
-  [[nodiscard]] SE3 look_alike(std::size_t place) const {
-    return SE3(Matrix3::Identity(), Vector3(kCorridor, 0, 0)) * pose(place);
-  }
-
-  [[nodiscard]] std::vector<LoopCandidate> loops_of_newest() const {
-    std::vector<LoopCandidate> newest;
-    for (const LoopCandidate& loop : loops_of(map_->candidates())) {
-      if (loop.to == poses_.size() - 1) newest.push_back(loop);
-    }
-    return newest;
-  }
-
-  static constexpr int kPoints = 2000;
-  static constexpr double kCosTheta = 0.5;  // of the links: less than of the same image twice
-  SyntheticFrames walk_{small_camera(320, 240)};
-  std::unique_ptr<KeyframeMap> map_;
-  std::vector<SE3> poses_;
-  int segment_ = 0;
-};
+class LoopsOfAMap : public MapOfPlaces {};
 
 TEST_F(LoopsOfAMap, APlaceSeenBeforeIsAnEdge) {
   make_map(loop_options());
@@ -155,16 +72,6 @@ TEST_F(LoopsOfAMap, WhatTheOptimisedGraphContradictsIsTakenBack) {
     const SE3& T_world_camera = map_->graph().nodes()[i].T_world_node;
     EXPECT_LT((T_world_camera.translation() - poses_[i].translation()).norm(), 0.008) << i;
   }
-}
-
-TEST_F(LoopsOfAMap, OtherSegmentsAreNotJoined) {
-  make_map(loop_options());
-  walk(6);
-  add(place(1), pose(place(1)), 1);
-  const auto loops = loops_of_newest();
-  ASSERT_FALSE(loops.empty());
-  EXPECT_EQ(accepted(loops), 0U);
-  EXPECT_THAT(loops[0].reason, HasSubstr("another segment"));
 }
 
 /// There and back again.

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the loops of a whole run are worth: of those that are left in the final graph, how many are
+// right; of the times that the camera came back to a place, how many were noticed; and the error of
+// the path. A row of the table of docs/loops.md for each sequence.
+//   closed_loops [--verbose] sequence...
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cvo_slam/bench/seen_share.h"
+#include "cvo_slam/core/absolute_trajectory_error.h"
+#include "cvo_slam/core/association.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/pose_interpolation.h"
+#include "cvo_slam/io/dataset.h"
+#include "cvo_slam/slam/slam.h"
+
+namespace cvo_slam {
+namespace {
+
+/// A keyframe and where it truly is.
+struct KnownKeyframe {
+  RgbdFrame frame;
+  SE3 T_world_camera;
+};
+
+/// Whether a measurement is right, as the issue defines it.
+bool is_correct(const SE3& T_true, const SE3& T_measured) {
+  constexpr double kTranslation = 0.05;  // [m]
+  constexpr double kRotation = 3 * std::numbers::pi / 180;
+  const SE3 error = T_true.inverse() * T_measured;
+  return error.translation().norm() <= kTranslation && error.angle() <= kRotation;
+}
+
+struct Row {
+  std::size_t keyframes = 0;
+  std::size_t lost = 0;
+  std::size_t candidates = 0;
+  std::size_t loops = 0;  // in the final graph
+  std::size_t wrong = 0;  // of them
+  std::size_t revisits = 0;
+  std::size_t revisits_found = 0;
+  std::size_t events = 0;
+  std::size_t events_found = 0;
+  double ate = 0;
+};
+
+class Judge {
+ public:
+  Judge(const Dataset& data, const Slam& slam, const SlamOptions& options, bool verbose)
+      : data_(data), slam_(slam), options_(options), verbose_(verbose) {
+    for (const Keyframe& keyframe : slam.keyframes()) {
+      constexpr double kMaxGap = 0.1;  // [s]
+      const auto pose = interpolate_at(data.reference(), keyframe.stamp, kMaxGap);
+      if (!pose) continue;
+      index_[keyframe.frame] = keyframes_.size();
+      keyframes_.push_back({data.read(keyframe.frame), *pose});
+    }
+  }
+
+  Row row() {
+    Row row;
+    row.keyframes = keyframes_.size();
+    const Trajectory trajectory = slam_.trajectory();
+    row.lost = trajectory.lost.size();
+    for (const LoopCandidate& c : slam_.loop_candidates()) {
+      row.candidates += c.kind == EdgeKind::kLoop ? 1 : 0;
+    }
+    judge_edges(row);
+    judge_revisits(row);
+    row.ate = absolute_trajectory_error(associate(data_.reference(), trajectory.poses))
+                  .statistics.translation.rmse;
+    return row;
+  }
+
+ private:
+  [[nodiscard]] std::size_t gap() const {
+    return static_cast<std::size_t>(options_.loops.detection.candidates.min_gap);
+  }
+  [[nodiscard]] SE3 true_motion(std::size_t a, std::size_t b) const {
+    return keyframes_[a].T_world_camera.inverse() * keyframes_[b].T_world_camera;
+  }
+
+  void judge_edges(Row& row) {
+    const PoseGraph graph = slam_.pose_graph();
+    for (const PoseGraphEdge& edge : graph.edges()) {
+      const auto from = index_.find(static_cast<std::size_t>(edge.from));
+      const auto to = index_.find(static_cast<std::size_t>(edge.to));
+      if (from == index_.end() || to == index_.end()) continue;
+      const bool is_right = is_correct(true_motion(from->second, to->second), edge.T_from_to);
+      if (edge.kind != EdgeKind::kOdometry && from->second + gap() < to->second && is_right) {
+        noticed_[to->second] = true;
+      }
+      if (edge.kind != EdgeKind::kLoop) continue;
+      ++row.loops;
+      row.wrong += is_right ? 0 : 1;
+      if (!verbose_) continue;
+      const SE3 error = true_motion(from->second, to->second).inverse() * edge.T_from_to;
+      fmt::print("  {} {} error {:.3f} m {:.4f} rad{}\n", edge.from, edge.to,
+                 error.translation().norm(), error.angle(), is_right ? "" : " WRONG");
+    }
+  }
+
+  /// Keyframes that see at least half of what one outside the temporal exclusion has seen; those
+  /// that follow one another are one event.
+  void judge_revisits(Row& row) const {
+    constexpr double kShare = 0.5;
+    constexpr std::size_t kSameEvent = 3;
+    std::optional<std::size_t> last;
+    bool event_found = false;
+    for (std::size_t j = gap() + 1; j < keyframes_.size(); ++j) {
+      bool revisits = false;
+      for (std::size_t i = 0; i + gap() < j && !revisits; ++i) {
+        revisits = mutual_share(keyframes_[i].frame, keyframes_[j].frame, true_motion(i, j),
+                                data_.camera()) >= kShare;
+      }
+      if (!revisits) continue;
+      if (!last || j > *last + kSameEvent) {
+        ++row.events;
+        event_found = false;
+      }
+      last = j;
+      ++row.revisits;
+      if (!noticed_.contains(j)) continue;
+      ++row.revisits_found;
+      row.events_found += event_found ? 0 : 1;
+      event_found = true;
+    }
+  }
+
+  const Dataset& data_;
+  const Slam& slam_;
+  const SlamOptions& options_;
+  bool verbose_;
+  std::vector<KnownKeyframe> keyframes_;
+  std::map<std::size_t, std::size_t> index_;  // by frame
+  std::map<std::size_t, bool> noticed_;
+};
+
+void judge(const std::string& sequence, bool verbose) {
+  const auto data = open_dataset(sequence);
+  SlamOptions options;
+  options.loops.enabled = true;
+  Slam slam(data->camera(), {}, options);
+  for (std::size_t i = 0; i < data->size(); ++i) slam.track(data->read(i));
+  slam.finish();
+  const Row row = Judge(*data, slam, options, verbose).row();
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} of {} | {} of {} | {:.1f} cm |\n", data->name(),
+             data->size(), row.lost, row.keyframes, row.candidates,
+             fmt::format("{} ({} wrong)", row.loops, row.wrong), row.revisits_found, row.revisits,
+             row.events_found, row.events, 100 * row.ate);
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace cvo_slam
+
+int main(int argc, char** argv) {
+  std::vector<std::string> sequences;
+  bool verbose = false;
+  CLI::App app("Precision and recall of a run's loops");
+  app.add_option("sequences", sequences)->required();
+  app.add_flag("--verbose", verbose, "A line for each loop");
+  CLI11_PARSE(app, argc, argv);
+  fmt::print(
+      "| sequence | frames | lost | keyframes | candidates | loops in the graph | revisiting "
+      "keyframes joined | revisits noticed | ATE |\n|---|---|---|---|---|---|---|---|---|\n");
+  try {
+    for (const std::string& sequence : sequences) cvo_slam::judge(sequence, verbose);
+  } catch (const cvo_slam::Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+  return 0;
+}
