@@ -12,6 +12,7 @@
 
 #include "cvo_slam/frontend/motion_model_internal.h"
 #include "cvo_slam/frontend/rolling_shutter_internal.h"
+#include "cvo_slam/frontend/visible_share.h"
 
 namespace cvo_slam {
 namespace {
@@ -55,8 +56,10 @@ std::string find_motion_fault(const SE3& a, const SE3& b, double seconds,
 }
 
 /// Why a tracked frame shall become a keyframe; empty where it need not.
-std::string keyframe_reason(const RegistrationResult& result, const KeyframeOptions& options) {
-  if (result.overlap < options.min_overlap) return "overlap";
+/// `found_share` is what part of the points in view found a partner when the keyframe was new.
+std::string keyframe_reason(const RegistrationResult& result, double found_share,
+                            const KeyframeOptions& options) {
+  if (result.overlap < options.min_overlap * found_share) return "overlap";
   if (result.T_fixed_moving.translation().norm() > options.max_translation) return "translation";
   if (result.T_fixed_moving.angle() > options.max_rotation) return "rotation";
   return {};
@@ -98,6 +101,7 @@ struct Tracker::Impl {
   bool keyframe_lacks_velocity = false;
   int segment = 0;
   int lost_in_a_row = 0;
+  double found_share = 0;  // of the points in the keyframe's view those with a partner, at best
 
   [[nodiscard]] FrameRecord record_of(const RgbdFrame& frame) const;
   void track(const RgbdFrame& frame, FrameRecord& record);
@@ -115,6 +119,7 @@ struct Tracker::Impl {
   std::string register_from(const SE3& T_world_camera_init, int skip, FrameRecord& record);
   std::string register_to_first_keyframe(const RgbdFrame& frame, FrameRecord& record);
   void promote_last_tracked();
+  void measure_found_share(const RegistrationResult& result);
   void accept(const RgbdFrame& frame, FrameRecord& record);
   void reject(const std::string& reason, FrameRecord& record);
 };
@@ -130,6 +135,7 @@ FrameRecord Tracker::Impl::record_of(const RgbdFrame& frame) const {
 /// Makes the frame that the selector is prepared for the keyframe.
 void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera) {
   keyframe = frame.index;
+  found_share = 0;
   keyframe_is_last_tracked = true;
   keyframe_lacks_velocity = !motion.is_moving();
   T_world_keyframe = T_world_camera;
@@ -255,14 +261,23 @@ std::string Tracker::Impl::register_to_first_keyframe(const RgbdFrame& frame, Fr
   return register_from(record.T_world_camera, options.recovery_scales, record);
 }
 
+/// Where depth is missing in patches that differ from image to image, a part of the points never
+/// has a partner; that is no reason for a new keyframe, which would be no better.
+void Tracker::Impl::measure_found_share(const RegistrationResult& result) {
+  const double visible = visible_share(cloud, result.T_fixed_moving, camera.color);
+  if (visible > 0) found_share = std::max(found_share, std::min(1.0, result.overlap / visible));
+}
+
 void Tracker::Impl::accept(const RgbdFrame& frame, FrameRecord& record) {
   lost_in_a_row = 0;
   record.status = TrackingStatus::kTracked;
   motion.update(frame.stamp, record.T_world_camera);
   remember(frame);
-  record.keyframe_reason = options.reference == Reference::kPreviousFrame
-                               ? "previous frame"
-                               : keyframe_reason(record.registration, options.keyframe);
+  measure_found_share(record.registration);
+  record.keyframe_reason =
+      options.reference == Reference::kPreviousFrame
+          ? "previous frame"
+          : keyframe_reason(record.registration, found_share, options.keyframe);
   if (record.keyframe_reason.empty()) return;
   if (record.promoted_keyframe) selector.prepare(frame);
   set_keyframe(frame, record.T_world_camera);

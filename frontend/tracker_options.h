@@ -22,14 +22,14 @@ enum class Prediction {
 
 /// When a tracked frame becomes the new keyframe.
 struct KeyframeOptions {
-  double min_overlap = 0.75;
+  double min_overlap = 0.8;
   double max_translation = 0.20;
   double max_rotation = 0.25;
 };
 
 /// When a registration is not believed.
 struct LostOptions {
-  int min_points = 100;
+  int min_points = 50;
   double min_overlap = 0.3;
   double min_cos_theta = 0.1;
   double max_speed = 3.0;

@@ -8,11 +8,7 @@
 
 namespace cvo_slam {
 
-/// The share of a cloud's points that lie in a camera's image, whatever is in between.
-[[nodiscard]] double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
-                                   const PinholeCamera& camera);
-
-/// The same of two keyframes, each in the other's image; the lower one.
+/// visible_share() of two keyframes, each in the other's image; the lower one.
 [[nodiscard]] double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
                                     const PinholeCamera& camera);
 
