@@ -35,7 +35,7 @@ help: ## This list
 
 .PHONY: demo
 demo: program $(if $(DATASET),,$(ROOM)/groundtruth.txt) ## Run on a synthetic room, or on DATASET=path
-	$(PROGRAM) run "$(or $(DATASET),$(ROOM))" --mode odometry --out "$(OUT)"
+	$(PROGRAM) run "$(or $(DATASET),$(ROOM))" --out "$(OUT)"
 	@echo
 	@echo "Pictures:"
 	@find "$$(realpath "$(OUT)")" \( -name '*.png' -o -name '*.svg' -o -name map.ply \) | sort | sed 's/^/  /'

@@ -31,7 +31,7 @@ namespace {
 
 struct RunArguments {
   TrackingArguments tracking;
-  std::string mode = "odometry";
+  std::string mode = "slam";
   std::filesystem::path vocabulary;  // empty = the built-in one
   std::filesystem::path out;
   double max_lost = 0.05;

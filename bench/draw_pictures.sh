@@ -30,7 +30,7 @@ draw error --view turntable --azimuth 70 --reference "$room/groundtruth.txt" --c
 demo=$(pwd)/build/pictures_demo
 out=docs/images/demo
 mkdir -p "$out"
-"$program" run "$room" --mode odometry --quiet --out "$demo"
+"$program" run "$room" --quiet --out "$demo"
 "$program" render "$demo" --size 800x450 --reference "$room/groundtruth.txt" -o "$out/map.jpg"
 cp "$demo/trajectory.svg" "$out/trajectory.svg"
 if command -v chromium > /dev/null; then

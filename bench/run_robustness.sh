@@ -11,7 +11,8 @@
 #
 #   CVO_SLAM_DATA   folder of the recorded sequences (default: ../shared/data beside the checkout)
 #   PROGRAM         (default build/release/cvo_slam)
-#   SEEDS           of the worlds (default "101 102 103 104 105")
+#   SEEDS           of the eight kinds of structure and texture (default "101 102 103 104 105")
+#   ROOM_SEEDS      of the rooms and their conditions, which take longer (default: SEEDS)
 #   FRAMES          frames of each recording (default 60, two seconds)
 #   SYSTEMS         of the study, see `cvo_slam bench odometry` (default ours,paper,rgbd,rgbd_icp,icp)
 set -eu
@@ -21,10 +22,13 @@ program=${PROGRAM:-build/release/cvo_slam}
 page=${1:-docs/robustness.md}
 data=${CVO_SLAM_DATA:-../shared/data}
 seeds=${SEEDS:-101 102 103 104 105}
+room_seeds=${ROOM_SEEDS-$seeds}
 frames=${FRAMES:-60}
 systems=${SYSTEMS:-ours,paper,rgbd,rgbd_icp,icp}
 folder=build/robustness
-draft=$folder/robustness.md
+# Of this process, so that several can share the work, by seeds.
+sequence=$folder/sequence_$$
+draft=$folder/robustness_$$.md
 # A Kinect without motion blur, which would take most of the time.
 kinect='--noise kinect --set sensor.exposure.time=0'
 rooms='room office house'
@@ -37,9 +41,9 @@ mkdir -p "$folder"
 # record <world> <seed> <options of synth>: the sequence that is tracked next.
 record() {
   echo "run_robustness.sh: $*" >&2
-  rm -rf "$folder/sequence"
+  rm -rf "$sequence"
   # shellcheck disable=SC2086  # several arguments
-  "$program" synth "$1" "$folder/sequence" --frames "$frames" --seed "$2" --image jpeg $3 \
+  "$program" synth "$1" "$sequence" --frames "$frames" --seed "$2" --image jpeg $3 \
     > /dev/null 2>&1
 }
 
@@ -85,28 +89,30 @@ each_system() { echo "$systems" | tr ',' ' '; }
 measure_room() {
   ! is_measured "every_3rd_$1_$2" || return 0
   record "$1" "$2" "$kinect"
-  track "$1_$2" "$folder/sequence" "$systems" :
-  track "every_2nd_$1_$2" "$folder/sequence" ours,rgbd ::2
-  track "every_3rd_$1_$2" "$folder/sequence" ours,rgbd ::3
+  track "$1_$2" "$sequence" "$systems" :
+  track "every_2nd_$1_$2" "$sequence" ours,rgbd ::2
+  track "every_3rd_$1_$2" "$sequence" ours,rgbd ::3
 }
 
 measure_kind() {
   ! is_measured "$1_$2" || return 0
   record "$1" "$2" "$kinect"
-  track "$1_$2" "$folder/sequence" "$systems" :
+  track "$1_$2" "$sequence" "$systems" :
 }
 
 # measure_condition <condition> <world> <seed> <options of synth>
 measure_condition() {
   ! is_measured "$1_$2_$3" || return 0
   record "$2" "$3" "$4"
-  track "$1_$2_$3" "$folder/sequence" ours,rgbd :
+  track "$1_$2_$3" "$sequence" ours,rgbd :
 }
 
 for seed in $seeds; do
   for world in $kinds; do
     measure_kind "$world" "$seed"
   done
+done
+for seed in $room_seeds; do
   for world in $rooms; do
     measure_room "$world" "$seed"
     measure_condition blur "$world" "$seed" '--noise kinect --set sensor.exposure.time=0.02'
@@ -116,15 +122,15 @@ for seed in $seeds; do
     measure_condition objects "$world" "$seed" "$kinect --set sensor.objects.count=3"
   done
 done
-rm -rf "$folder/sequence"
+rm -rf "$sequence"
 
-for sequence in tum/rgbd_dataset_freiburg1_rpy 7scenes/seq-01; do
-  [ -d "$data/$sequence" ] || continue
+for recording in tum/rgbd_dataset_freiburg1_rpy 7scenes/seq-01; do
+  [ -d "$data/$recording" ] || continue
   for step in 1 2 3; do
-    name=$(basename "$sequence")_every_$step
+    name=$(basename "$recording")_every_$step
     ! is_measured "$name" || continue
     echo "run_robustness.sh: $name" >&2
-    track "$name" "$data/$sequence" ours,rgbd "::$step"
+    track "$name" "$data/$recording" ours,rgbd "::$step"
   done
 done
 
@@ -140,7 +146,7 @@ is the sum of the frames lost.
 ## Structure and texture
 
 Synthetic only: the first $frames frames of each world ([worlds.md](worlds.md)), seeds
-$seeds, recorded with \`$kinect\` ([sensor.md](sensor.md)). A run is
+$seeds ($room_seeds of room, office and house), recorded with \`$kinect\` ([sensor.md](sensor.md)). A run is
 good where no frame is lost and the RPE over 1 s is at most 100 mm and 3 deg. ours =
 the default; paper = \`--preset paper\`; the others are OpenCV's.
 
@@ -188,13 +194,13 @@ a run gives the same bytes each time.
 | sequence | n | system | RPE 1 s [mm] | RPE 1 s [deg] | ATE [mm] | lost |
 | --- | ---: | --- | ---: | ---: | ---: | ---: |
 END
-for sequence in rgbd_dataset_freiburg1_rpy seq-01; do
+for recording in rgbd_dataset_freiburg1_rpy seq-01; do
   for step in 1 2 3; do
-    [ -f "$folder/${sequence}_every_$step.rows" ] || continue
-    awk -F '|' -v sequence="$sequence" -v step="$step" '{
+    [ -f "$folder/${recording}_every_$step.rows" ] || continue
+    awk -F '|' -v recording="$recording" -v step="$step" '{
       for (i = 2; i <= 8; ++i) gsub(/ /, "", $i)
-      printf "| %s | %d | %s | %s | %s | %s | %s |\n", sequence, step, $2, $3, $4, $7, $8
-    }' "$folder/${sequence}_every_$step.rows" >> "$draft"
+      printf "| %s | %d | %s | %s | %s | %s | %s |\n", recording, step, $2, $3, $4, $7, $8
+    }' "$folder/${recording}_every_$step.rows" >> "$draft"
   done
 done
 mv "$draft" "$page"

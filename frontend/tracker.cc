@@ -17,6 +17,11 @@
 namespace cvo_slam {
 namespace {
 
+/// How much the share of points that can be expected to find a partner falls with each keyframe,
+/// unless it is found again: a fast turn is over, and holes in the depth are noticed, after some
+/// ten.
+constexpr double kForgetting = 0.02;
+
 /// Why a registration is not believed; empty where it is.
 std::string find_fault(const RegistrationResult& result, const LostOptions& limits) {
   if (result.status == RegistrationStatus::kFailed) return result.reason;
@@ -56,7 +61,7 @@ std::string find_motion_fault(const SE3& a, const SE3& b, double seconds,
 }
 
 /// Why a tracked frame shall become a keyframe; empty where it need not.
-/// `found_share` is what part of the points in view found a partner when the keyframe was new.
+/// `found_share` is what part of the points in view can be expected to find a partner.
 std::string keyframe_reason(const RegistrationResult& result, double found_share,
                             const KeyframeOptions& options) {
   if (result.overlap < options.min_overlap * found_share) return "overlap";
@@ -101,7 +106,7 @@ struct Tracker::Impl {
   bool keyframe_lacks_velocity = false;
   int segment = 0;
   int lost_in_a_row = 0;
-  double found_share = 0;  // of the points in the keyframe's view those with a partner, at best
+  double found_share = 0;  // of the points in view those that can be expected to find a partner
 
   [[nodiscard]] FrameRecord record_of(const RgbdFrame& frame) const;
   void track(const RgbdFrame& frame, FrameRecord& record);
@@ -135,7 +140,7 @@ FrameRecord Tracker::Impl::record_of(const RgbdFrame& frame) const {
 /// Makes the frame that the selector is prepared for the keyframe.
 void Tracker::Impl::set_keyframe(const RgbdFrame& frame, const SE3& T_world_camera) {
   keyframe = frame.index;
-  found_share = 0;
+  found_share -= kForgetting;
   keyframe_is_last_tracked = true;
   keyframe_lacks_velocity = !motion.is_moving();
   T_world_keyframe = T_world_camera;

@@ -12,8 +12,8 @@ OptionSet describe(KeyframeOptions& o) {
   return OptionSet()
       .add("min_overlap", o.min_overlap, {0, 1}, "",
            "A frame of which fewer points find a partner becomes the next keyframe: less than this "
-           "times what could be found, which is what was found of the points in the keyframe's "
-           "view when that was new. Where depth is missing in patches, some never have a partner.")
+           "times what can be expected, which is the best share of the points in view that found "
+           "one at the last keyframes. Where depth is missing in patches, some never do.")
       .add("max_translation", o.max_translation, {0, 100}, "m",
            "So does one further away than this, from where near things look different.")
       .add("max_rotation", o.max_rotation, {0, 4}, "rad",
@@ -23,7 +23,8 @@ OptionSet describe(KeyframeOptions& o) {
 OptionSet describe(LostOptions& o) {
   return OptionSet()
       .add("min_points", o.min_points, {10, 1000000}, "",
-           "With fewer points in a frame six degrees of freedom are not held reliably: eight for each. "
+           "With fewer points in a frame six degrees of freedom are not held reliably: eight for "
+           "each. "
            "Walls without texture leave about a hundred.")
       .add("min_overlap", o.min_overlap, {0, 1}, "",
            "A registration with less overlap is not believed.")

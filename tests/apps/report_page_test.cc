@@ -87,7 +87,7 @@ class ReportPage : public testing::Test {
 };
 
 TEST_F(ReportPage, ShowsFiguresPlotsMapOptionsAndFiles) {
-  ASSERT_EQ(run({"--set", "tracker.points=900"}), 0);
+  ASSERT_EQ(run({"--mode", "odometry", "--set", "tracker.points=900"}), 0);
   const std::string html = page();
   EXPECT_THAT(html, StartsWith("<!DOCTYPE html>\n<html lang=\"en\">"));
   for (const char* part :

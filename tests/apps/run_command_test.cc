@@ -42,6 +42,9 @@ class RunCommand : public testing::Test {
                                   const std::string& out = "out",
                                   const ProgramStreams& streams = {}) const {
     std::vector<std::string> arguments = {"run", sequence_, "--out", folder_.path() / out};
+    if (std::find(options.begin(), options.end(), "--mode") == options.end()) {
+      arguments.insert(arguments.end(), {"--mode", "odometry"});
+    }
     arguments.insert(arguments.end(), options.begin(), options.end());
     return run_program(arguments, streams);
   }
@@ -200,7 +203,14 @@ TEST_F(RunCommand, VocabularyIsForSlamModeAndMustBeOne) {
   folder_.write("broken.voc", "no vocabulary");
   const std::string file = folder_.path() / "broken.voc";
   expect_error(run({"--mode", "slam", "--vocabulary", file}), 2, "broken.voc");
-  expect_error(run({"--vocabulary", file}), 2, "--mode slam");
+  expect_error(run({"--mode", "graph", "--vocabulary", file}), 2, "--mode slam");
+}
+
+TEST_F(RunCommand, SlamIsTheModeWhereNoneIsGiven) {
+  EXPECT_EQ(run_program({"run", sequence_, "--out", folder_.path() / "out", "--quiet"}).exit_code,
+            0);
+  EXPECT_EQ(nlohmann::json::parse(file("report.json"))["mode"], "slam");
+  EXPECT_TRUE(has_file("graph.g2o"));
 }
 
 TEST_F(RunCommand, FramesTakesARange) {
