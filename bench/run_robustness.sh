@@ -21,7 +21,7 @@ cd "$(dirname "$0")/.."
 program=${PROGRAM:-build/release/cvo_slam}
 page=${1:-docs/robustness.md}
 data=${CVO_SLAM_DATA:-../shared/data}
-seeds=${SEEDS:-101 102 103 104 105}
+seeds=${SEEDS-101 102 103 104 105}
 room_seeds=${ROOM_SEEDS-$seeds}
 frames=${FRAMES:-60}
 systems=${SYSTEMS:-ours,paper,rgbd,rgbd_icp,icp}
