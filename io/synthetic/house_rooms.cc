@@ -76,14 +76,19 @@ void furnish_corridor(SceneBuilder& builder, double side) {
   constexpr std::array<double, 3> kPictures = {-3.4, 0.0, 3.4};
   const Wall outer(builder, {0, side * (kOuter - kFace), 0}, side * Vector3::UnitY());
   const Wall inner(builder, {0, side * (kInner + kFace), 0}, -side * Vector3::UnitY());
+  // What tells one corridor from the other: the plates beside the doors and the inner wall's
+  // prints.
+  std::uint32_t own = side > 0 ? 700 : 800;
+  std::uint32_t common = 77;
   for (const double x : kDoors) {
     outer.door(x);
+    outer.sheet({x + 0.66, 0.012, 1.5}, 0.14, 0.1, print(own++));
     if (-x != kOpenDoor) inner.door(x);
+    inner.sheet({x + 0.66, 0.012, 1.5}, 0.14, 0.1, print(own++));
   }
-  std::uint32_t picture = 77;
   for (const double x : kPictures) {
-    outer.sheet({x, 0.012, 1.55}, 0.5, 0.7, print(picture++));
-    inner.sheet({x, 0.012, 1.55}, 0.42, 0.6, print(picture++));
+    outer.sheet({x, 0.012, 1.55}, 0.5, 0.7, print(common++));
+    inner.sheet({x, 0.012, 1.55}, 0.42, 0.6, print(own++));
   }
   outer.box({0, 0, 0}, {2 * kHalf, 0.015, 0.09}, materials::oak());
   inner.box({0, 0, 0}, {1.7, 0.24, 0.72}, materials::oak());
@@ -96,8 +101,8 @@ void furnish_corridor(SceneBuilder& builder, double side) {
   for (const double x : {-6.2, -4.25, -2.55, -0.85, 0.85, 2.55, 4.25, 6.2}) {  // light switches
     outer.box({x, 0, 1.08}, {0.08, 0.012, 0.08}, materials::ceramic());
   }
-  for (const double x : {-4.6, 4.6}) {
-    outer.sheet({x - 0.85, 0.012, 1.6}, 0.3, 0.4, print(picture++));
+  for (const double x : {-4.15, 4.15}) {
+    outer.sheet({x, 0.012, 1.6}, 0.3, 0.4, print(common++));
   }
   builder.box({0, side * kAisle, 0}, {2 * kHalf - 1, 0.8, 0.008}, materials::rug());
 }
