@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "cvo_slam/frontend/depth_uncertainty_internal.h"
 #include "cvo_slam/frontend/gradient_flow_internal.h"
 #include "cvo_slam/frontend/newton_internal.h"
 
@@ -75,16 +76,12 @@ bool is_undetermined(const ObjectiveValue& value) {
   return !(eigenvalues.minCoeff() > kMinEigenvalueRatio * eigenvalues.maxCoeff());
 }
 
-/// The mean over the points of ell^2 / (ell^2 + sigma_z^2) with sigma_z = depth_noise z^2: how much
-/// less a point says than one without depth noise.
-double mean_precision(const PointCloud& cloud, double ell, double depth_noise) {
-  double sum = 0;
-  for (const float z : cloud.z) {
-    if (!std::isfinite(z)) continue;
-    const double sigma = depth_noise * z * z;
-    sum += ell * ell / (ell * ell + sigma * sigma);
-  }
-  return sum / static_cast<double>(cloud.size());
+/// The information where an independent error of covariance `added` comes on top.
+Matrix6 with_added(const Matrix6& information, const Matrix6& added) {
+  using Aligned = Eigen::Matrix<double, 6, 6>;
+  const Aligned own = Aligned(information).llt().solve(Aligned::Identity());
+  const Aligned sum = Aligned(own + added).llt().solve(Aligned::Identity());
+  return 0.5 * (sum + sum.transpose());
 }
 
 RegistrationOptions checked(RegistrationOptions options) {
@@ -182,8 +179,9 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
   const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
   const double scale = options.information_scale *
                        mean_precision(moving, finest.length_scale(), options.depth_noise);
-  result.information =
-      right_information(curvature(state.value), result.T_fixed_moving) * (scale / mean_weight);
+  result.information = with_added(
+      right_information(curvature(state.value), result.T_fixed_moving) * (scale / mean_weight),
+      depth_covariance(moving, options.depth_noise));
   return result;
 }
 

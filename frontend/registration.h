@@ -41,8 +41,8 @@ struct RegistrationOptions {
   double tolerance_translation = 1e-4;
   double tolerance_rotation = 1e-4;
   double coarse_tolerance = 0.1;
-  double depth_noise = 0.006;
-  double information_scale = 2;
+  double depth_noise = 0.0065;
+  double information_scale = 3;
   FlowOptions flow;
 };
 
@@ -73,8 +73,9 @@ struct RegistrationResult {
   /// Information (inverse covariance) of a right perturbation of T_fixed_moving, tangent order
   /// [translation; rotation]: the negative second derivative of the objective, scaled so that a
   /// moving point counts as one measurement with the final length scale and its depth noise as
-  /// standard deviation, times information_scale; positive definite. Where the search ended away
-  /// from a maximum it is that of the majorising least squares.
+  /// standard deviation, times information_scale, less what the depth noise adds along the rays;
+  /// positive definite. Where the search ended away from a maximum it is that of the majorising
+  /// least squares.
   Matrix6 information = Matrix6::Zero();
 };
 

@@ -52,11 +52,11 @@ OptionSet describe(RegistrationOptions& o) {
            "newton: a step shorter than both tolerances ends a length scale.")
       .add("depth_noise", o.depth_noise, {0, 1}, "1/m",
            "For the information matrix: the standard deviation of a depth z is this times z^2. "
-           "Twice a Kinect's 0.003 (axial noise and disparity steps), as its noise is correlated "
-           "and both clouds have it.")
+           "More than twice a Kinect's 0.003 (axial noise and disparity steps), as its noise is "
+           "correlated and both clouds have it.")
       .add("information_scale", o.information_scale, {1e-6, 1e6}, "",
-           "Factor of the information matrix, calibrated on synthetic rooms with a Kinect's noise "
-           "and offices so that the mean normalised error squared is near 6; see docs/tracking.md.")
+           "Factor of the information matrix, calibrated with depth_noise on synthetic rooms with "
+           "a Kinect's noise so that most errors are inside the 95 % gate; see docs/tracking.md.")
       .add("flow", describe(o.flow));
 }
 

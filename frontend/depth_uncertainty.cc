@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "cvo_slam/frontend/depth_uncertainty_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+double squared_deviation(double z, double depth_noise) {
+  const double sigma = depth_noise * z * z;
+  return sigma * sigma;
+}
+
+}  // namespace
+
+double mean_precision(const PointCloud& cloud, double ell, double depth_noise) {
+  double sum = 0;
+  for (const float z : cloud.z) {
+    if (std::isfinite(z)) sum += ell * ell / (ell * ell + squared_deviation(z, depth_noise));
+  }
+  return sum / static_cast<double>(cloud.size());
+}
+
+Matrix6 depth_covariance(const PointCloud& cloud, double depth_noise) {
+  Matrix3 along_rays = Matrix3::Zero();
+  Matrix3 squares = Matrix3::Zero();  // sum p p^T
+  Vector3 points = Vector3::Zero();   // sum p
+  double count = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Vector3 p(cloud.x[i], cloud.y[i], cloud.z[i]);
+    if (!p.allFinite()) continue;
+    along_rays += (squared_deviation(p.z(), depth_noise) / (p.z() * p.z())) * p * p.transpose();
+    squares += p * p.transpose();
+    points += p;
+    ++count;
+  }
+  const Matrix3 cross = skew(points);
+  Matrix6 design;  // M
+  design << count * Matrix3::Identity(), -cross, cross,
+      squares.trace() * Matrix3::Identity() - squares;
+  const Matrix6 inverse = design.llt().solve(Matrix6::Identity());
+  const auto from_translation = inverse.leftCols<3>();
+  return from_translation * along_rays * from_translation.transpose();
+}
+
+}  // namespace cvo_slam
