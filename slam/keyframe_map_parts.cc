@@ -111,9 +111,8 @@ std::string KeyframeMap::find_strangeness(const LoopMatch& match, double cos_the
                                           const Timestamp& now) const {
   const RelocalizationOptions& options = options_.loops.relocalization;
   const Verification& v = match.verification;
-  if (v.coverage >= options.min_coverage && v.visible_share >= options.min_visible_share) return {};
   const double usual = usual_cos_theta();
-  const double likeness = 2 * v.coverage + (usual > 0 ? cos_theta / usual : 0);
+  const double likeness = 2 * (v.coverage + v.visible_share) + (usual > 0 ? cos_theta / usual : 0);
   if (likeness >= options.min_likeness || is_likely(match, now)) return {};
   return fmt::format("likeness {:.2f}; {:.2f} needed so far from where the camera was lost",
                      likeness, options.min_likeness);

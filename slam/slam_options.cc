@@ -53,16 +53,13 @@ OptionSet describe(RelocalizationOptions& o) {
       .add(
           "min_likely_coverage", o.min_likely_coverage, {0, 1}, "",
           "Of the cells of the image in which both images should see features, the share that must "
-          "have some that match, where the camera can have come to since it was lost. Elsewhere, "
-          "where there may be look-alikes, one of the following two is needed besides.")
-      .add("min_coverage", o.min_coverage, {0, 1}, "",
-           "This share of the cells, together with min_visible_share.")
-      .add("min_visible_share", o.min_visible_share, {0, 1}, "",
-           "Of the features that both images should see, the share that must match.")
+          "have some that match, where the camera can have come to since it was lost.")
       .add(
           "min_likeness", o.min_likeness, {0, 10}, "",
-          "Twice the share of the cells plus the registration's cos_theta as a share of the usual. "
-          "Look-alikes of `house`, with the same prints on other paint, reach 2.5.")
+          "Elsewhere, where there may be look-alikes: twice that share, plus twice the share of "
+          "matches among the features that both images should see, plus the registration's "
+          "cos_theta as a share of the usual. Look-alikes of `house` reach 3.0; of the same place, "
+          "with most of the view in common, 3.5 and more.")
       .add("lost_speed", o.lost_speed, {0, 1e6}, "m/s",
            "Standard deviation of the speed of a lost camera.")
       .add("lost_angular_speed", o.lost_angular_speed, {0, 1e6}, "rad/s",

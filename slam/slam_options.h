@@ -37,10 +37,8 @@ struct ProximityOptions {
 /// What it takes to believe in a place where the graph cannot say whether the camera can be there:
 /// when tracking is lost, and to join parts of the graph.
 struct RelocalizationOptions {
-  double min_visible_share = 0.35;
-  double min_coverage = 0.9;
   double min_likely_coverage = 0.6;
-  double min_likeness = 2.6;
+  double min_likeness = 3.2;
   double lost_speed = 1.5;
   double lost_angular_speed = 1;
   double rival_share = 0.9;

@@ -98,7 +98,6 @@ TEST_F(PartsOfAMap, JoinedAtALookAlikeAreJoinedAgainWhenMoreSaysOtherwise) {
 
 TEST_F(PartsOfAMap, FarFromWhereTheCameraWasLostALikenessMustBeStrong) {
   SlamOptions options = loop_options();
-  options.loops.relocalization.min_coverage = options.loops.relocalization.min_visible_share = 1;
   options.loops.relocalization.min_likeness = 10;
   make_map(options);
   walk(6);
@@ -109,7 +108,6 @@ TEST_F(PartsOfAMap, FarFromWhereTheCameraWasLostALikenessMustBeStrong) {
 
 TEST_F(PartsOfAMap, NearWhereTheCameraWasLostItNeedNot) {
   SlamOptions options = loop_options();
-  options.loops.relocalization.min_coverage = options.loops.relocalization.min_visible_share = 1;
   options.loops.relocalization.min_likeness = 10;
   options.loops.detection.candidates.min_gap = 0;
   make_map(options);
