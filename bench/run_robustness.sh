@@ -29,6 +29,7 @@ folder=build/robustness
 # Of this process, so that several can share the work, by seeds.
 sequence=$folder/sequence_$$
 draft=$folder/robustness_$$.md
+figures=docs/images/robustness
 # A Kinect without motion blur, which would take most of the time.
 kinect='--noise kinect --set sensor.exposure.time=0'
 rooms='room office house'
@@ -36,7 +37,7 @@ kinds='structure_texture_near structure_texture_far structure_notexture_near
   structure_notexture_far nostructure_texture_near nostructure_texture_far
   nostructure_notexture_near nostructure_notexture_far'
 
-mkdir -p "$folder"
+mkdir -p "$folder" "$figures"
 
 # record <world> <seed> <options of synth>: the sequence that is tracked next.
 record() {
@@ -49,10 +50,11 @@ record() {
 
 is_measured() { [ -f "$folder/$1.rows" ]; }
 
-# track <name> <sequence> <systems> <frames>: the rows of a table of `bench odometry` in
+# track <name> <sequence> <systems> <frames> [options]: the rows of a table of `bench odometry` in
 # <folder>/<name>.rows.
 track() {
-  "$program" bench odometry "$2" --systems "$3" --frames "$4" --quiet 2> /dev/null |
+  # shellcheck disable=SC2086  # several arguments
+  "$program" bench odometry "$2" --systems "$3" --frames "$4" --quiet ${5-} 2> /dev/null |
     grep -E '^\| (ours|paper|rgbd|rgbd_icp|icp) ' > "$folder/$1.part"
   mv "$folder/$1.part" "$folder/$1.rows"
 }
@@ -81,6 +83,20 @@ summary() {
     }'
 }
 
+# better <shown name> <name> <systems> reads <name>_*.rows: a row for each system whose median RPE is
+# lower than ours, or that loses fewer frames.
+better() {
+  ours=$(summary "$2" ours 0 0)
+  for system in $(echo "$3" | tr ',' ' '); do
+    [ "$system" != ours ] || continue
+    printf '%s | %s\n' "$ours" "$(summary "$2" "$system" 0 0)" |
+      awk -F ' [|] ' -v name="$1" -v system="$system" '
+        $6 + 0 < $1 + 0 || $9 + 0 < $4 + 0 {
+          printf "| %s | %s | %s | %d | %s | %d |\n", name, system, $6, $9, $1, $4
+        }'
+  done
+}
+
 each_system() { echo "$systems" | tr ',' ' '; }
 
 # --- Measure -------------------------------------------------------------------------------------
@@ -94,10 +110,14 @@ measure_room() {
   track "every_3rd_$1_$2" "$sequence" ours,rgbd ::3
 }
 
+# Of the first seed with its figure.
 measure_kind() {
-  ! is_measured "$1_$2" || return 0
+  figure=
+  [ "$2" != "${seeds%% *}" ] || [ -f "$figures/$1.svg" ] || figure="--plot $folder/figure"
+  [ -n "$figure" ] || ! is_measured "$1_$2" || return 0
   record "$1" "$2" "$kinect"
-  track "$1_$2" "$sequence" "$systems" :
+  track "$1_$2" "$sequence" "$systems" : "$figure"
+  [ -z "$figure" ] || mv "$folder/figure/odometry.svg" "$figures/$1.svg"
 }
 
 # measure_condition <condition> <world> <seed> <options of synth>
@@ -156,6 +176,35 @@ END
 for world in $rooms $kinds; do
   for system in $(each_system); do
     echo "| $world | $system | $(summary "$world" "$system" 100 3) |" >> "$draft"
+  done
+done
+
+cat >> "$draft" << END
+
+Figure (c) of the paper for each of the eight kinds, seed ${seeds%% *}: the distributions of the errors from
+frame to frame, and the trajectories from above.
+
+END
+for world in $kinds; do
+  printf '**%s**\n\n![%s](images/robustness/%s.svg)\n\n' "$world" "$world" "$world" >> "$draft"
+done
+
+cat >> "$draft" << END
+## Where another system is better
+
+Each case of this page in which another system has a lower median RPE over 1 s than ours, or loses
+fewer frames. Without texture and structure nothing determines the pose: there ours says that it is
+lost, while the systems that need no texture answer with a pose that is wrong.
+
+| world or condition | system | RPE 1 s [mm] | lost | ours [mm] | ours lost |
+| --- | --- | ---: | ---: | ---: | ---: |
+END
+for world in $rooms $kinds; do
+  better "$world" "$world" "$systems" >> "$draft"
+done
+for condition in every_2nd every_3rd blur exposure missing objects; do
+  for world in $rooms; do
+    better "$condition, $world" "${condition}_$world" ours,rgbd >> "$draft"
   done
 done
 

@@ -62,6 +62,12 @@ OptionSet describe(SelectionOptions& o) {
            "Pixels of strongest gradient in each cell, or pixels on Canny edges as in the paper.")
       .add("min_gradient", o.min_gradient, {0, 1000}, "8-bit values a pixel",
            "Weaker gradients are noise: twice the noise of a Kinect's image after Sobel's filter.")
+      .add("weak_gradient", o.weak_gradient, {0, 1000}, "8-bit values a pixel",
+           "gradient: takes the place of min_gradient in an image with fewer than few_pixels. One "
+           "and a half times that noise: a blank wall still has none, and is not tracked.")
+      .add("few_pixels", o.few_pixels, {0, 1000000}, "cells of 4x4 pixels",
+           "gradient: with fewer that reach min_gradient the pose would hang on single pixels. "
+           "Scenes with texture have thousands, plain ones with furniture 300.")
       .add("min_depth", o.min_depth, {0, 100}, "m", "Nearer depth is not used.")
       .add("max_depth", o.max_depth, {0.1, 1000}, "m",
            "Farther depth is not used: a Kinect's error grows with the square of depth and reaches "
@@ -114,13 +120,18 @@ void PointSelector::prepare(const RgbdFrame& frame) {
     constexpr double kHighThreshold = 100;
     cv::Canny(dx_, dy_, edges_, kLowThreshold, kHighThreshold);
   }
-  counts_.assign(round_.size(), 0);
-  rank_bands();
+  rank(options_.min_gradient);
+  if (options_.method != SelectionMethod::kGradient) return;
+  const int found = std::accumulate(counts_.begin(), counts_.end(), 0);
+  if (found < options_.few_pixels && options_.weak_gradient < options_.min_gradient) {
+    rank(options_.weak_gradient);
+  }
 }
 
-/// Offers the strongest pixel of each cell that has depth to its bucket.
-void PointSelector::rank_bands() {
-  const double threshold = options_.min_gradient / kGradientScale;
+/// Offers the strongest pixel of each cell, if it has depth, to the cell's bucket.
+void PointSelector::rank(double min_gradient) {
+  counts_.assign(round_.size(), 0);
+  const double threshold = min_gradient / kGradientScale;
   const auto min_gradient2 = static_cast<std::int32_t>(threshold * threshold);
   const bool edges = options_.method == SelectionMethod::kEdges;
   const int columns = cells_along(camera_.color.width);

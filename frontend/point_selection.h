@@ -24,6 +24,8 @@ enum class SelectionMethod {
 struct SelectionOptions {
   SelectionMethod method = SelectionMethod::kGradient;
   double min_gradient = 4.0;
+  double weak_gradient = 3.0;
+  int few_pixels = 200;
   double min_depth = 0.3;
   double max_depth = 6.0;
   double max_depth_step = 0.05;
@@ -55,7 +57,7 @@ class PointSelector {
     std::int32_t gradient2;  ///< squared gradient magnitude, on Sobel's scale
   };
 
-  void rank_bands();
+  void rank(double min_gradient);
   void offer(std::size_t bucket, const Candidate& candidate);
   void append(const Candidate& candidate, const Vector3& point, PointCloud& cloud) const;
 

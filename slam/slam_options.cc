@@ -59,7 +59,7 @@ OptionSet describe(RelocalizationOptions& o) {
           "Elsewhere, where there may be look-alikes: twice that share, plus twice the share of "
           "matches among the features that both images should see, plus the registration's "
           "cos_theta as a share of the usual. Look-alikes of `house` reach 3.0; of the same place, "
-          "with most of the view in common, 3.5 and more.")
+          "with most of the view in common, 3.3 and more.")
       .add("lost_speed", o.lost_speed, {0, 1e6}, "m/s",
            "Standard deviation of the speed of a lost camera.")
       .add("lost_angular_speed", o.lost_angular_speed, {0, 1e6}, "rad/s",

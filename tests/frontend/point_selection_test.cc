@@ -19,6 +19,7 @@ SelectionOptions test_options() {
   SelectionOptions options;
   options.method = SelectionMethod::kGradient;
   options.min_gradient = 2;
+  options.few_pixels = 0;
   options.min_depth = 0.3;
   options.max_depth = 6;
   options.max_depth_step = 0.05;
@@ -190,6 +191,25 @@ TEST_F(PointSelection, LeavesOutWeakGradients) {
   options_.min_gradient = 0;
   frame_.color.setTo(128);
   EXPECT_EQ(select(frame_, 1000).size(), 0U) << "a blank image";
+}
+
+TEST_F(PointSelection, TakesWeakGradientsWhereStrongOnesAreFew) {
+  camera_ = small_camera(64, 48);
+  frame_ = noise_frame(camera_, 1);
+  options_.min_gradient = 4;
+  options_.weak_gradient = 3;
+  options_.few_pixels = 20;
+  cv::Mat weak = ramp(CV_8UC1);  // its gradient is sqrt(10) = 3.16
+  frame_.color = weak;
+  EXPECT_GT(select(frame_, 1000).size(), 50U);
+  options_.weak_gradient = 3.2;
+  EXPECT_EQ(select(frame_, 1000).size(), 0U);
+  options_.weak_gradient = 3;
+  weak.rowRange(0, weak.rows / 2) *= 2;
+  const std::size_t strong = select(frame_, 1000).size();
+  EXPECT_GT(strong, 20U);
+  options_.few_pixels = 1000;
+  EXPECT_GT(select(frame_, 1000).size(), strong);
 }
 
 TEST_F(PointSelection, EdgesTakesPixelsOnEdgesAlone) {
