@@ -90,9 +90,9 @@ better() {
   for system in $(echo "$3" | tr ',' ' '); do
     [ "$system" != ours ] || continue
     printf '%s | %s\n' "$ours" "$(summary "$2" "$system" 0 0)" |
-      awk -F ' [|] ' -v name="$1" -v system="$system" '
+      awk -F ' [|] ' -v name="$1" -v other="$system" '
         $6 + 0 < $1 + 0 || $9 + 0 < $4 + 0 {
-          printf "| %s | %s | %s | %d | %s | %d |\n", name, system, $6, $9, $1, $4
+          printf "| %s | %s | %s | %d | %s | %d |\n", name, other, $6, $9, $1, $4
         }'
   done
 }

@@ -44,7 +44,7 @@ row() {
     registration.kernel.gradient_scale=42 registration.kernel.gradient_scale=84 \
     registration.kernel.sparsification=0.0007 registration.kernel.sparsification=0.0014 \
     registration.coarser_share=0.35 registration.coarser_share=0.7 \
-    keyframe.min_overlap=0.525 keyframe.min_overlap=0.9 \
+    keyframe.min_overlap=0.56 keyframe.min_overlap=0.95 \
     keyframe.max_translation=0.14 keyframe.max_translation=0.28 \
     keyframe.max_rotation=0.175 keyframe.max_rotation=0.35 \
     selection.max_depth=4.2 selection.max_depth=8.4 \
