@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/frontend/brightness_internal.h"
 #include "cvo_slam/frontend/motion_model_internal.h"
 #include "cvo_slam/frontend/rolling_shutter_internal.h"
 #include "cvo_slam/frontend/visible_share.h"
@@ -21,6 +22,13 @@ namespace {
 /// unless it is found again: a fast turn is over, and holes in the depth are noticed, after some
 /// ten.
 constexpr double kForgetting = 0.02;
+
+void scale_colors(double factor, PointCloud& cloud) {
+  if (factor == 1) return;
+  for (auto& feature : cloud.features) {
+    for (float& value : feature) value *= static_cast<float>(factor);
+  }
+}
 
 /// Why a registration is not believed; empty where it is.
 std::string find_fault(const RegistrationResult& result, const LostOptions& limits) {
@@ -99,6 +107,8 @@ struct Tracker::Impl {
   Registration registration;  // against the current keyframe
   KeyframeObserver observer;
   MotionModel motion;
+  BrightnessLevel brightness;
+  double last_tracked_brightness = 1;
   std::optional<std::size_t> keyframe;  // its index
   SE3 T_world_keyframe;
   RgbdFrame last_tracked;
@@ -160,9 +170,11 @@ void Tracker::Impl::remember(const RgbdFrame& frame) {
   last_tracked = frame;
   last_tracked.color = color;
   last_tracked.depth = depth;
+  last_tracked_brightness = brightness.factor();
 }
 
-/// The points of the prepared frame, with the motion between its two images taken out.
+/// The points of the prepared frame, with the motion between its two images and jumps of the
+/// exposure taken out.
 void Tracker::Impl::select(const RgbdFrame& frame, int count) {
   // A longer delay is a depth stamp that was not set.
   constexpr double kMaxDelay = 0.1;  // [s]
@@ -170,6 +182,9 @@ void Tracker::Impl::select(const RgbdFrame& frame, int count) {
   const bool compensate = options.compensate_depth_delay && std::abs(delay) < kMaxDelay;
   const SE3 T_color_depth = compensate ? motion.motion(frame.stamp, frame.depth_stamp) : SE3();
   selector.select(count, T_color_depth, seen);
+  if (!options.compensate_exposure) return;
+  const bool is_last_tracked = frame.stamp == last_tracked.stamp;
+  scale_colors(1 / (is_last_tracked ? last_tracked_brightness : brightness.factor()), seen);
 }
 
 /// Makes `cloud` from the points seen, with the motion while the rows were read taken out.
@@ -298,6 +313,7 @@ void Tracker::Impl::reject(const std::string& reason, FrameRecord& record) {
 std::string Tracker::Impl::prepare(const RgbdFrame& frame, FrameRecord& record) {
   std::string problem = check_images(frame, camera);
   if (!problem.empty()) return problem;
+  brightness.update(frame.color);
   selector.prepare(frame);
   select(frame, options.points);
   record.points = seen.size();

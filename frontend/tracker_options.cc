@@ -63,6 +63,10 @@ OptionSet describe(TrackerOptions& o) {
       .add("compensate_rolling_shutter", o.compensate_rolling_shutter,
            "Takes the camera's motion while its rows were read (Camera::readout_time) out of the "
            "points.")
+      .add(
+          "compensate_exposure", o.compensate_exposure,
+          "Scales the colours of a frame back where all of its image has become brighter or darker "
+          "by one factor, of more than 15 %, since the frame before.")
       .add("threads", o.threads, {1, 1024}, "",
            "Threads of one registration. Results do not depend on it.")
       .add("selection", describe(o.selection))
@@ -83,7 +87,7 @@ TrackerOptions paper_options() {
   TrackerOptions o;
   o.reference = Reference::kPreviousFrame;
   o.prediction = Prediction::kIdentity;
-  o.compensate_depth_delay = o.compensate_rolling_shutter = false;
+  o.compensate_depth_delay = o.compensate_rolling_shutter = o.compensate_exposure = false;
   o.points = o.keyframe_points = 3000;
   o.selection.method = SelectionMethod::kEdges;
   o.registration.solver = Solver::kFlow;

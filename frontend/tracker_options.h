@@ -45,6 +45,7 @@ struct TrackerOptions {
   int keyframe_points = 6000;
   bool compensate_depth_delay = true;
   bool compensate_rolling_shutter = true;
+  bool compensate_exposure = true;
   int threads = 1;
   SelectionOptions selection;
   RegistrationOptions registration;
