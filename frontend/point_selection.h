@@ -26,6 +26,7 @@ struct SelectionOptions {
   double min_gradient = 4.0;
   double weak_gradient = 3.0;
   int few_pixels = 200;
+  double noise_gradient = 2.0;
   double min_depth = 0.3;
   double max_depth = 6.0;
   double max_depth_step = 0.05;
