@@ -11,7 +11,7 @@ namespace cvo_slam {
 namespace {
 
 constexpr int kGridStep = 8;  // [px]
-constexpr std::size_t kLargest = 8 * 255;
+constexpr std::size_t kLargest = std::size_t{8} * 255;
 constexpr double kGain = 6;                    // the norm of N
 constexpr double kMedianOfDeviation = 0.6745;  // the median of |x| of a normal distribution
 
