@@ -7,19 +7,13 @@
 #include "cvo_slam/frontend/depth_uncertainty_internal.h"
 
 namespace cvo_slam {
-namespace {
-
-double squared_deviation(double z, double depth_noise) {
-  const double sigma = depth_noise * z * z;
-  return sigma * sigma;
-}
-
-}  // namespace
 
 double mean_precision(const PointCloud& cloud, double ell, double depth_noise) {
   double sum = 0;
   for (const float z : cloud.z) {
-    if (std::isfinite(z)) sum += ell * ell / (ell * ell + squared_deviation(z, depth_noise));
+    if (!std::isfinite(z)) continue;
+    const double sigma = depth_noise * z * z;
+    sum += ell * ell / (ell * ell + sigma * sigma);
   }
   return sum / static_cast<double>(cloud.size());
 }
@@ -32,7 +26,8 @@ Matrix6 depth_covariance(const PointCloud& cloud, double depth_noise) {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Vector3 p(cloud.x[i], cloud.y[i], cloud.z[i]);
     if (!p.allFinite()) continue;
-    along_rays += (squared_deviation(p.z(), depth_noise) / (p.z() * p.z())) * p * p.transpose();
+    const double share = depth_noise * p.z();  // sigma_z d = share p, also where z is 0
+    along_rays += share * share * p * p.transpose();
     squares += p * p.transpose();
     points += p;
     ++count;

@@ -182,7 +182,6 @@ void Tracker::Impl::select(const RgbdFrame& frame, int count) {
   const bool compensate = options.compensate_depth_delay && std::abs(delay) < kMaxDelay;
   const SE3 T_color_depth = compensate ? motion.motion(frame.stamp, frame.depth_stamp) : SE3();
   selector.select(count, T_color_depth, seen);
-  if (!options.compensate_exposure) return;
   const bool is_last_tracked = frame.stamp == last_tracked.stamp;
   scale_colors(1 / (is_last_tracked ? last_tracked_brightness : brightness.factor()), seen);
 }
@@ -293,11 +292,12 @@ void Tracker::Impl::accept(const RgbdFrame& frame, FrameRecord& record) {
   record.status = TrackingStatus::kTracked;
   motion.update(frame.stamp, record.T_world_camera);
   remember(frame);
-  measure_found_share(record.registration);
-  record.keyframe_reason =
-      options.reference == Reference::kPreviousFrame
-          ? "previous frame"
-          : keyframe_reason(record.registration, found_share, options.keyframe);
+  if (options.reference == Reference::kPreviousFrame) {
+    record.keyframe_reason = "previous frame";
+  } else {
+    measure_found_share(record.registration);
+    record.keyframe_reason = keyframe_reason(record.registration, found_share, options.keyframe);
+  }
   if (record.keyframe_reason.empty()) return;
   if (record.promoted_keyframe) selector.prepare(frame);
   set_keyframe(frame, record.T_world_camera);
@@ -313,7 +313,7 @@ void Tracker::Impl::reject(const std::string& reason, FrameRecord& record) {
 std::string Tracker::Impl::prepare(const RgbdFrame& frame, FrameRecord& record) {
   std::string problem = check_images(frame, camera);
   if (!problem.empty()) return problem;
-  brightness.update(frame.color);
+  if (options.compensate_exposure) brightness.update(frame.color);
   selector.prepare(frame);
   select(frame, options.points);
   record.points = seen.size();

@@ -24,8 +24,7 @@ OptionSet describe(LostOptions& o) {
   return OptionSet()
       .add("min_points", o.min_points, {10, 1000000}, "",
            "With fewer points in a frame six degrees of freedom are not held reliably: eight for "
-           "each. "
-           "Walls without texture leave about a hundred.")
+           "each. Walls without texture leave about a hundred.")
       .add("min_overlap", o.min_overlap, {0, 1}, "",
            "A registration with less overlap is not believed.")
       .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",

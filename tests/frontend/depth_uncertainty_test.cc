@@ -68,6 +68,12 @@ TEST(DepthCovariance, GrowsWithDistanceAndIsNothingWithoutNoise) {
   EXPECT_EQ(depth_covariance(view(60, 1), 0), Matrix6(Matrix6::Zero()));
 }
 
+TEST(DepthCovariance, OfAPointInTheCameraIsFinite) {
+  PointCloud cloud = view(60, 1);
+  add(cloud, Vector3::Zero());
+  EXPECT_TRUE(depth_covariance(cloud, 0.005).allFinite());
+}
+
 TEST(DepthCovariance, LeavesOutPointsWithoutDepth) {
   PointCloud cloud = view(60, 1);
   const Matrix6 expected = depth_covariance(cloud, 0.005);
