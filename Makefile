@@ -21,6 +21,8 @@ JOBS := $(shell awk -v cpus="$$(nproc)" '/^MemAvailable/ { fit = int($$2 / 1.5e6
 endif
 ifneq ($(shell command -v ccache),)
 export CMAKE_CXX_COMPILER_LAUNCHER ?= ccache
+# Without these it stores nothing that reads a precompiled header.
+export CCACHE_SLOPPINESS ?= pch_defines,time_macros
 endif
 
 PROGRAM := build/release/cvo_slam
@@ -44,7 +46,7 @@ demo: program $(if $(DATASET),,$(ROOM)/groundtruth.txt) ## Run on a synthetic ro
 	@echo "  $$(realpath "$(OUT)")/report.html"
 
 # Made aside and moved when complete, so that an interrupted run leaves no half a sequence.
-$(ROOM)/groundtruth.txt: $(wildcard io/synthetic/*.h io/synthetic/*.cc) | program
+$(ROOM)/groundtruth.txt: $(wildcard synthetic/*.h synthetic/*.cc) | program
 	@rm -rf $(ROOM) $(ROOM).part
 	@mkdir -p $(@D:%/room=%)
 	$(PROGRAM) synth room $(ROOM).part

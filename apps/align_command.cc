@@ -12,7 +12,7 @@
 #include "cvo_slam/apps/frame_registration.h"
 #include "cvo_slam/apps/registration_plots.h"
 #include "cvo_slam/apps/tracking_arguments.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 
 namespace cvo_slam {
 namespace {

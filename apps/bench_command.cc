@@ -17,7 +17,7 @@
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/tum_trajectory.h"
 
 namespace cvo_slam {

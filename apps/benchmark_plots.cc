@@ -5,8 +5,8 @@
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/relative_pose_error.h"
-#include "cvo_slam/io/plot/comparison_plot.h"
-#include "cvo_slam/io/plot/plot_file.h"
+#include "cvo_slam/plot/comparison_plot.h"
+#include "cvo_slam/plot/plot_file.h"
 
 namespace cvo_slam {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cvo_slam/apps/odometry_benchmark.h"
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/io/plot/figure.h"
+#include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 

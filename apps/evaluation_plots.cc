@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <iterator>
 
-#include "cvo_slam/io/file_output.h"
-#include "cvo_slam/io/plot/plot_file.h"
-#include "cvo_slam/io/plot/trajectory_plot.h"
+#include "cvo_slam/core/files.h"
+#include "cvo_slam/plot/plot_file.h"
+#include "cvo_slam/plot/trajectory_plot.h"
 
 namespace cvo_slam {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/core/trajectory.h"
-#include "cvo_slam/io/plot/figure.h"
+#include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 
 namespace cvo_slam {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "cvo_slam/apps/match_picture.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 
 namespace cvo_slam {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "cvo_slam/io/plot/figure.h"
+#include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 namespace {

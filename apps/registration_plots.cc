@@ -11,9 +11,9 @@
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/sparsity_image.h"
 #include "cvo_slam/apps/step_plot.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/core/point_fusion.h"
-#include "cvo_slam/io/file_output.h"
-#include "cvo_slam/io/render/picture.h"
+#include "cvo_slam/render/picture.h"
 
 namespace cvo_slam {
 namespace {

@@ -7,7 +7,7 @@
 #include "cvo_slam/apps/frame_pair.h"
 #include "cvo_slam/apps/frame_registration.h"
 #include "cvo_slam/frontend/registration.h"
-#include "cvo_slam/io/plot/figure.h"
+#include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 

@@ -14,9 +14,9 @@
 #include "cvo_slam/apps/command.h"
 #include "cvo_slam/apps/scene_files.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/render/motion_jpeg.h"
-#include "cvo_slam/io/render/picture.h"
 #include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/render/motion_jpeg.h"
+#include "cvo_slam/render/picture.h"
 
 namespace cvo_slam {
 namespace {

@@ -21,7 +21,7 @@
 #include "cvo_slam/apps/slam_run.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/tum_trajectory.h"
 #include "cvo_slam/loop/vocabulary_file.h"

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "cvo_slam/apps/loop_pictures.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 
 namespace cvo_slam {
 namespace {

@@ -7,7 +7,7 @@
 #include "cvo_slam/apps/scene_files.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/map_files.h"
-#include "cvo_slam/io/render/picture.h"
+#include "cvo_slam/render/picture.h"
 
 namespace cvo_slam {
 namespace {

@@ -7,12 +7,12 @@
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/graph_report.h"
 #include "cvo_slam/apps/page/run_page.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/core/statistics.h"
 #include "cvo_slam/core/units.h"
-#include "cvo_slam/io/file_output.h"
 #include "cvo_slam/io/options_file.h"
-#include "cvo_slam/io/plot/trajectory_plot.h"
 #include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/plot/trajectory_plot.h"
 
 namespace cvo_slam {
 namespace {

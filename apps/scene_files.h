@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cvo_slam/core/trajectory.h"
-#include "cvo_slam/io/render/scene.h"
+#include "cvo_slam/render/scene.h"
 
 namespace cvo_slam {
 

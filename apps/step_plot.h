@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cvo_slam/frontend/inspection.h"
-#include "cvo_slam/io/plot/figure.h"
+#include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 

@@ -16,11 +16,11 @@
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/apps/settings.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/options_file.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
-#include "cvo_slam/io/synthetic/world_file.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
+#include "cvo_slam/synthetic/world_file.h"
 
 namespace cvo_slam {
 namespace {

@@ -14,9 +14,9 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/io/synthetic/sensor.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/synthetic/sensor.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam {
 namespace {

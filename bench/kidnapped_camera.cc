@@ -22,11 +22,11 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/sensor.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
 #include "cvo_slam/slam/slam.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/sensor.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam {
 namespace {

@@ -9,13 +9,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include "cvo_slam/io/synthetic/sensor.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
 #include "cvo_slam/loop/builtin_vocabulary.h"
 #include "cvo_slam/loop/hamming.h"
 #include "cvo_slam/loop/loop_detector.h"
 #include "cvo_slam/loop/vocabulary_file.h"
+#include "cvo_slam/synthetic/sensor.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam {
 namespace {

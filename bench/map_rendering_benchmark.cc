@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include "cvo_slam/core/point_fusion.h"
-#include "cvo_slam/io/render/picture.h"
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/render/picture.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam {
 namespace {

@@ -9,9 +9,9 @@
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/frontend/tracker_options.h"
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam {
 namespace {

@@ -18,12 +18,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/io/file_output.h"
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam {
 namespace {

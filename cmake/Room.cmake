@@ -1,6 +1,21 @@
 # SPDX-FileCopyrightText: 2026 The cvo_slam authors
 # SPDX-License-Identifier: BSD-3-Clause
 
+# Read by nearly every source, and most of what compiling one costs: compiled once, they halve the
+# time of a build. A source includes what it uses all the same; the preset `tidy` builds without.
+set(CVO_SLAM_COSTLY_HEADERS
+    <Eigen/Cholesky>
+    <Eigen/Core>
+    <Eigen/Geometry>
+    <Eigen/LU>
+    <algorithm>
+    <filesystem>
+    <fmt/format.h>
+    <functional>
+    <opencv2/core.hpp>
+    <string>
+    <vector>)
+
 # Makes the headers of a top-level folder available as cvo_slam/<folder>/<file>.h in the build tree.
 function(cvo_slam_link_folder FOLDER)
   set(LINK_DIR ${PROJECT_BINARY_DIR}/include/cvo_slam)
@@ -8,20 +23,15 @@ function(cvo_slam_link_folder FOLDER)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${FOLDER} ${LINK_DIR}/${FOLDER} SYMBOLIC)
 endfunction()
 
-# cvo_slam_room(<name> [FOLDER <dir below the source root>]
-#               SOURCES ... PUBLIC_HEADERS ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
+# cvo_slam_room(<name> SOURCES ... PUBLIC_HEADERS ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
 #
 # One room = one library target cvo_slam::<name>. Includes are spelled cvo_slam/<room>/<file>.h in
 # the tree and after installation alike: in the tree through a link <build>/include/cvo_slam/<room>.
 # Only PUBLIC_HEADERS are installed; the others are named *_internal.h.
 function(cvo_slam_room NAME)
-  cmake_parse_arguments(ROOM "" "FOLDER" "SOURCES;PUBLIC_HEADERS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
+  cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC_HEADERS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
                         ${ARGN})
-  if(NOT ROOM_FOLDER)
-    set(ROOM_FOLDER ${NAME})
-  endif()
-  string(REGEX REPLACE "/.*" "" TOP_FOLDER ${ROOM_FOLDER})
-  cvo_slam_link_folder(${TOP_FOLDER})
+  cvo_slam_link_folder(${NAME})
 
   set(TARGET cvo_slam_${NAME})
   add_library(${TARGET} ${ROOM_SOURCES})
@@ -36,12 +46,20 @@ function(cvo_slam_room NAME)
     ${TARGET} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
+  if(CVO_SLAM_PRECOMPILE_HEADERS)
+    if(NAME STREQUAL core)
+      target_precompile_headers(${TARGET} PRIVATE ${CVO_SLAM_COSTLY_HEADERS})
+    else()
+      target_precompile_headers(${TARGET} REUSE_FROM cvo_slam_core)
+    endif()
+  endif()
+
   if(CVO_SLAM_INSTALL)
     install(TARGETS ${TARGET} EXPORT cvo_slam_targets)
     foreach(HEADER IN LISTS ROOM_PUBLIC_HEADERS)
       cmake_path(GET HEADER PARENT_PATH SUBFOLDER)
       install(FILES ${HEADER}
-              DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${ROOM_FOLDER}/${SUBFOLDER})
+              DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cvo_slam/${NAME}/${SUBFOLDER})
     endforeach()
   endif()
 endfunction()

@@ -15,6 +15,10 @@ target_compile_features(cvo_slam_settings INTERFACE cxx_std_20)
 target_compile_options(cvo_slam_settings INTERFACE -ffp-contract=off)
 # Position-independent code may otherwise not inline a library's own functions (GCC's default).
 target_compile_options(cvo_slam_settings INTERFACE -fno-semantic-interposition)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # Lets ccache see what a precompiled header holds.
+  target_compile_options(cvo_slam_settings INTERFACE -fpch-preprocess)
+endif()
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(cvo_slam_settings INTERFACE -Wall -Wextra -Wconversion -Wshadow)
 endif()

@@ -76,6 +76,10 @@ void Camera::check() const {
   if (!(readout_time >= 0 && readout_time < 1)) {
     throw OptionError(fmt::format("camera: readout_time={} must be in [0, 1) s", readout_time));
   }
+  for (const double deviation : {noise.depth_floor, noise.depth_quadratic, noise.pixel}) {
+    if (std::isfinite(deviation) && deviation >= 0) continue;
+    throw OptionError(fmt::format("camera: noise={} must be finite and not negative", deviation));
+  }
 }
 
 }  // namespace cvo_slam

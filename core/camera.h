@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -42,6 +43,18 @@ struct DepthCamera {
   SE3 T_color_depth;
 };
 
+/// The noise model of a sensor: how far its measurements scatter, as standard deviations.
+struct SensorNoise {
+  double depth_floor = 0.003;      ///< of a depth of up to about a metre [m]
+  double depth_quadratic = 0.003;  ///< of a depth z beyond, over z^2 [1/m]
+  double pixel = 1;                ///< of where a feature is found in the colour image [px]
+
+  /// Standard deviation of a depth z [m].
+  [[nodiscard]] double sigma_z(double z) const {
+    return std::max(depth_floor, depth_quadratic * z * z);
+  }
+};
+
 /// An RGB-D camera. Frames handed to the tracker have depth registered to colour; where the sensor
 /// does not do that, `depth` says how and the dataset reader does it.
 struct Camera {
@@ -52,6 +65,7 @@ struct Camera {
   /// a global shutter.
   double readout_time = 0;
   std::optional<DepthCamera> depth;
+  SensorNoise noise;
 
   /// Throws OptionError where a value is impossible.
   void check() const;

@@ -11,8 +11,6 @@ namespace {
 /// What sums in another order, or a file with ten digits, may do to a symmetric matrix.
 constexpr double kRounding = 1e-9;
 
-using Square = Eigen::Matrix<double, 6, 6>;
-
 }  // namespace
 
 std::string information_problem(const Matrix6& information) {
@@ -22,16 +20,16 @@ std::string information_problem(const Matrix6& information) {
     return "is not symmetric";
   }
   // The factorisation is fifty times as fast as the eigenvalues, and nearly always enough.
-  if (Eigen::LLT<Square>(information).info() == Eigen::Success) return {};
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(information, Eigen::EigenvaluesOnly);
+  if (Eigen::LLT<AlignedMatrix6>(information).info() == Eigen::Success) return {};
+  const Eigen::SelfAdjointEigenSolver<AlignedMatrix6> eigen(information, Eigen::EigenvaluesOnly);
   if (eigen.eigenvalues().minCoeff() < -kRounding * size) return "has a negative eigenvalue";
   return {};
 }
 
 Matrix6 square_root_of_information(const Matrix6& information) {
-  const Eigen::LLT<Square> cholesky(information);
+  const Eigen::LLT<AlignedMatrix6> cholesky(information);
   if (cholesky.info() == Eigen::Success) return cholesky.matrixU();
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(information);
+  const Eigen::SelfAdjointEigenSolver<AlignedMatrix6> eigen(information);
   return eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
          eigen.eigenvectors().transpose();
 }

@@ -16,6 +16,11 @@
 namespace cvo_slam {
 namespace {
 
+/// What the keys of experts' options start with.
+constexpr std::string_view kExpert = "expert.";
+
+bool is_expert(std::string_view key) { return key.starts_with(kExpert); }
+
 std::string_view trim(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(kBlanks);
@@ -120,15 +125,25 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
   return fmt::format("there are: {}", fmt::join(candidates, ", "));
 }
 
+OptionSet& OptionSet::append(Option option) {
+  if (expert_ && !is_expert(option.key)) option.key = std::string(kExpert) + option.key;
+  options_.push_back(std::move(option));
+  return *this;
+}
+
+OptionSet& OptionSet::expert() {
+  expert_ = true;
+  return *this;
+}
+
 OptionSet& OptionSet::add(const std::string& key, bool& value, std::string doc) {
   const auto set = [&value, key](std::string_view text) {
     const std::string_view word = trim(text);
     if (word != "true" && word != "false") fail(key, text, "true or false");
     value = word == "true";
   };
-  options_.push_back({key, "", "true or false", std::move(doc),
-                      [&value] { return std::string(value ? "true" : "false"); }, set});
-  return *this;
+  return append({key, "", "true or false", std::move(doc),
+                 [&value] { return std::string(value ? "true" : "false"); }, set});
 }
 
 OptionSet& OptionSet::add(const std::string& key, int& value, Range<int> range, std::string unit,
@@ -136,9 +151,8 @@ OptionSet& OptionSet::add(const std::string& key, int& value, Range<int> range, 
   const auto set = [&value, key, range](std::string_view text) {
     value = parse_in_range(key, text, range);
   };
-  options_.push_back({key, std::move(unit), describe_range(range), std::move(doc),
-                      [&value] { return fmt::format("{}", value); }, set});
-  return *this;
+  return append({key, std::move(unit), describe_range(range), std::move(doc),
+                 [&value] { return fmt::format("{}", value); }, set});
 }
 
 OptionSet& OptionSet::add(const std::string& key, double& value, Range<double> range,
@@ -146,21 +160,18 @@ OptionSet& OptionSet::add(const std::string& key, double& value, Range<double> r
   const auto set = [&value, key, range](std::string_view text) {
     value = parse_in_range(key, text, range);
   };
-  options_.push_back({key, std::move(unit), describe_range(range), std::move(doc),
-                      [&value] { return fmt::format("{}", value); }, set});
-  return *this;
+  return append({key, std::move(unit), describe_range(range), std::move(doc),
+                 [&value] { return fmt::format("{}", value); }, set});
 }
 
 OptionSet& OptionSet::add(const std::string& key, std::vector<int>& value, Range<int> range,
                           std::string unit, std::string doc) {
-  options_.push_back(list_option(key, value, range, std::move(unit), std::move(doc)));
-  return *this;
+  return append(list_option(key, value, range, std::move(unit), std::move(doc)));
 }
 
 OptionSet& OptionSet::add(const std::string& key, std::vector<double>& value, Range<double> range,
                           std::string unit, std::string doc) {
-  options_.push_back(list_option(key, value, range, std::move(unit), std::move(doc)));
-  return *this;
+  return append(list_option(key, value, range, std::move(unit), std::move(doc)));
 }
 
 OptionSet& OptionSet::add_choice(std::string key, std::vector<std::string> names,
@@ -177,14 +188,15 @@ OptionSet& OptionSet::add_choice(std::string key, std::vector<std::string> names
     if (found == names.end()) fail(key, text, allowed);
     set_index(static_cast<std::size_t>(found - names.begin()));
   };
-  options_.push_back({std::move(key), "", allowed, std::move(doc), get, set});
-  return *this;
+  return append({std::move(key), "", allowed, std::move(doc), get, set});
 }
 
 OptionSet& OptionSet::add(const std::string& prefix, const OptionSet& nested) {
   for (Option option : nested.options_) {
-    option.key = prefix + "." + option.key;
-    options_.push_back(std::move(option));
+    const bool expert = is_expert(option.key);
+    const std::string path = expert ? option.key.substr(kExpert.size()) : option.key;
+    option.key = fmt::format("{}{}.{}", expert ? kExpert : "", prefix, path);
+    append(std::move(option));
   }
   return *this;
 }

@@ -21,7 +21,7 @@ struct Range {
 /// One option of an options struct, with its type erased: what a YAML reader, `--set`, a help page
 /// or a language binding needs to know of it.
 struct Option {
-  std::string key;      ///< dotted path, e.g. "registration.solver"
+  std::string key;      ///< dotted path, e.g. "registration.solver"; see OptionSet::expert()
   std::string unit;     ///< "m", "rad", "px", ... or empty
   std::string allowed;  ///< range or choices, for people
   std::string doc;      ///< what it is and why its default is what it is
@@ -54,6 +54,9 @@ class OptionSet {
   OptionSet& add(const std::string& key, E& value, Choices<E> choices, const std::string& doc);
   /// All options of a nested struct, their keys prefixed by "prefix.".
   OptionSet& add(const std::string& prefix, const OptionSet& nested);
+  /// Marks the options that are added after this call as experts' ones, which nobody needs to know
+  /// for good results: their keys start with "expert.", before all prefixes.
+  OptionSet& expert();
 
   [[nodiscard]] const std::vector<Option>& options() const& { return options_; }
   /// Of a temporary set by value, so that `for (... : describe(x).options())` does not dangle.
@@ -70,7 +73,10 @@ class OptionSet {
                         const std::function<void(std::size_t)>& set_index, std::string doc);
   [[nodiscard]] const Option& find(std::string_view key) const;
 
+  OptionSet& append(Option option);
+
   std::vector<Option> options_;
+  bool expert_ = false;  // what is added now is an expert's
 };
 
 template <typename E>

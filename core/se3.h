@@ -11,6 +11,8 @@ using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 using Matrix3 = Eigen::Matrix3d;
 /// Unaligned on purpose: the layout of public structs must not depend on the embedder's -m flags.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
+/// The same as Eigen aligns it: for computing with, not for keeping in a public struct.
+using AlignedMatrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// The skew-symmetric matrix w^ with w^ p = w x p.
 Matrix3 skew(const Vector3& w);

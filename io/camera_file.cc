@@ -2,26 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/camera_file.h"
 
-#include <fstream>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/builtin_camera_files_internal.h"
 #include "cvo_slam/io/camera_yaml_internal.h"
-#include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
 
 Camera read_camera(const std::filesystem::path& file) {
-  return parse_camera(read_text_file(file), file);
+  return parse_camera(read_file(file), file);
 }
 
 void write_camera(const std::filesystem::path& file, const Camera& camera) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << camera_to_yaml(camera) << std::flush;
-  if (!stream) throw OutputError(file, "cannot be written; check permissions and free space");
+  write_file(file, camera_to_yaml(camera));
 }
 
 Camera builtin_camera(const std::string& name) {

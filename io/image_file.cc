@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/image_file_internal.h"
 #include "cvo_slam/io/text_internal.h"
 
@@ -36,7 +37,7 @@ bool is_whole(std::string_view bytes) {
 /// Decoded as it is: no conversion, no turning by the EXIF orientation.
 cv::Mat decode(const Path& file) {
   // Not cv::imread, which writes a warning to stderr where the file is missing.
-  const std::string bytes = read_text_file(file);
+  const std::string bytes = read_file(file);
   if (!is_whole(bytes)) throw InputError(file, "the image file is empty or cut off");
   cv::Mat image;
   try {

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/io/ply.h"
 #include "cvo_slam/io/text_internal.h"

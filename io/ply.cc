@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/ply_header_internal.h"
 #include "cvo_slam/io/text_internal.h"
 
@@ -193,7 +193,7 @@ void append(std::string& bytes, const Eigen::Vector3f& vector) {
 }  // namespace
 
 std::vector<MapPoint> read_ply(const std::filesystem::path& file) {
-  const std::string text = read_text_file(file);
+  const std::string text = read_file(file);
   const PlyHeader header = parse_ply_header(file, text);
   return header.is_binary ? read_binary(file, header, text) : read_ascii(file, header, text);
 }

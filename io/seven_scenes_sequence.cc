@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/dataset_camera_internal.h"
 #include "cvo_slam/io/sequence_internal.h"
 #include "cvo_slam/io/text_internal.h"
@@ -50,7 +51,7 @@ Timestamp stamp_of(int number) {
 /// A camera-to-world matrix; empty where it is not one, as in frames the reference system lost.
 std::optional<SE3> read_pose(const Path& file) {
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix;
-  const auto words = split_words(read_text_file(file));
+  const auto words = split_words(read_file(file));
   if (words.size() != static_cast<std::size_t>(matrix.size())) return std::nullopt;
   for (Eigen::Index i = 0; i < matrix.size(); ++i) {
     const auto value = parse_finite(words[static_cast<std::size_t>(i)]);

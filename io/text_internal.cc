@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
-#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 
 namespace cvo_slam {
 
@@ -27,19 +26,8 @@ std::vector<std::string> split_words(const std::string& line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-std::string read_text_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  // A folder can be opened on Linux; only reading from it fails.
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError(file, "cannot be opened; check the path and its permissions");
-  }
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw InputError(file, "cannot be read to its end; check the disk");
-  return text;
-}
-
 std::vector<TextLine> read_word_lines(const std::filesystem::path& file) {
-  std::istringstream stream(read_text_file(file));
+  std::istringstream stream(read_file(file));
   std::vector<TextLine> lines;
   long number = 0;
   for (std::string line; std::getline(stream, line);) {

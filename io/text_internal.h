@@ -16,9 +16,6 @@ std::optional<double> parse_finite(std::string_view text);
 /// The words of a line, which blanks, tabs and a carriage return separate.
 std::vector<std::string> split_words(const std::string& line);
 
-/// The whole file; throws InputError where it cannot be read.
-std::string read_text_file(const std::filesystem::path& file);
-
 /// A line of words, with its number from 1.
 struct TextLine {
   long number = 0;

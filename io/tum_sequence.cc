@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/dataset_camera_internal.h"
 #include "cvo_slam/io/image_list_internal.h"
 #include "cvo_slam/io/sequence_internal.h"
@@ -66,7 +67,7 @@ void pair_lists(const Path& folder, double max_difference, Sequence& sequence) {
 std::string recording_name(const Path& folder) {
   const Path list = folder / "rgb.txt";
   if (!std::filesystem::exists(list)) return {};
-  const std::string text = read_text_file(list);
+  const std::string text = read_file(list);
   static const std::regex kComment("^# *file: *'([^'\n]*)'", std::regex::multiline);
   std::smatch match;
   return std::regex_search(text, match, kComment) ? match[1].str() : std::string();

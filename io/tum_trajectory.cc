@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/file_output.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/stamp_order_internal.h"
 #include "cvo_slam/io/text_internal.h"
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
@@ -46,7 +47,7 @@ YAML::Node parse_yaml(std::string text, const std::filesystem::path& file) {
 }
 
 YAML::Node load_yaml(const std::filesystem::path& file) {
-  return parse_yaml(read_text_file(file), file);
+  return parse_yaml(read_file(file), file);
 }
 
 long line_of(const YAML::Node& node) { return node.Mark().line + 1; }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/core/options.h"
 #include "cvo_slam/io/text_internal.h"
 #include "cvo_slam/io/yaml_internal.h"
@@ -53,7 +54,7 @@ class YamlConverter {
 };
 
 YamlValue YamlValue::read(const std::filesystem::path& file) {
-  return parse(read_text_file(file), file);
+  return parse(read_file(file), file);
 }
 
 YamlValue YamlValue::parse(const std::string& text, const std::filesystem::path& file) {

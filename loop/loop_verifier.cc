@@ -172,9 +172,8 @@ class Trial {
   }
 
   [[nodiscard]] std::string uncertainty() const {
-    using Square = Eigen::Matrix<double, 6, 6>;
-    const Eigen::LDLT<Square> factors{Square(result_.information)};
-    const Square covariance = factors.solve(Square::Identity());
+    const Eigen::LDLT<AlignedMatrix6> factors{AlignedMatrix6(result_.information)};
+    const AlignedMatrix6 covariance = factors.solve(AlignedMatrix6::Identity());
     const double translation = largest_deviation(covariance.topLeftCorner<3, 3>());
     const double rotation = largest_deviation(covariance.bottomRightCorner<3, 3>());
     if (translation <= options_.max_deviation_translation &&

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/file_bytes_internal.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/loop/vocabulary_text.h"
 
 namespace cvo_slam {
@@ -171,14 +171,14 @@ Vocabulary vocabulary_from_bytes(std::span<const char> bytes, const std::filesys
 }
 
 Vocabulary read_vocabulary(const std::filesystem::path& file) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = read_file(file);
   // A text begins with a number, our own format and those of others do not.
   const bool is_text = !bytes.empty() && bytes.find_first_not_of(" \t\r\n0123456789") != 0;
   return is_text ? vocabulary_from_text(bytes, file) : vocabulary_from_bytes(bytes, file);
 }
 
 void write_vocabulary(const std::filesystem::path& file, const Vocabulary& vocabulary) {
-  write_bytes(file, vocabulary_bytes(vocabulary));
+  write_file(file, vocabulary_bytes(vocabulary));
 }
 
 }  // namespace cvo_slam

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/file_bytes_internal.h"
+#include "cvo_slam/core/files.h"
 
 namespace cvo_slam {
 namespace {
@@ -122,7 +122,7 @@ void write_vocabulary_text(const std::filesystem::path& file, const Vocabulary& 
     for (const std::uint8_t byte : to_bytes(node.descriptor)) append(text, byte);
     fmt::format_to(std::back_inserter(text), "{}\n", node.weight);
   }
-  write_bytes(file, text);
+  write_file(file, text);
 }
 
 }  // namespace cvo_slam

@@ -20,8 +20,6 @@
 namespace cvo_slam {
 namespace {
 
-using Square = Eigen::Matrix<double, 6, 6>;
-
 /// Whether two poses are of one place, however good they are.
 bool is_one_place(const SE3& a, const SE3& b) {
   constexpr double kTranslation = 1;  // [m]; look-alikes are further apart
@@ -55,8 +53,8 @@ SE3 KeyframeMap::after_gap(const TrackedKeyframe& keyframe) {
   const SE3 T_last_keyframe = T_world_newest_tracked_.inverse() * keyframe.T_world_camera;
   constexpr double kShortest = 0.01;  // [s]
   const double seconds = std::max(kShortest, seconds_between(last.stamp, keyframe.stamp));
-  const Square information =
-      Square(lost_covariance(seconds, options_.loops.relocalization)).inverse();
+  const AlignedMatrix6 information =
+      AlignedMatrix6(lost_covariance(seconds, options_.loops.relocalization)).inverse();
   gaps_.push_back({node_id(last.frame), node_id(keyframe.frame), T_last_keyframe,
                    edge_information(T_last_keyframe, information)});
   return (last.T_world_camera * T_last_keyframe).normalized();
@@ -89,7 +87,7 @@ bool KeyframeMap::is_likely(const LoopMatch& match, const Timestamp& now) const 
   const Eigen::Matrix<double, 6, 1> error =
       (prior->T_older_newer.inverse() * match.verification.T_a_b).log();
   constexpr double kMaxError = 4;  // standard deviations: chi-square's 99 %
-  return std::sqrt(error.dot(Square(prior->covariance).ldlt().solve(error))) <= kMaxError;
+  return std::sqrt(error.dot(AlignedMatrix6(prior->covariance).ldlt().solve(error))) <= kMaxError;
 }
 
 /// Why a verified place need not be registered; empty where it is to be.

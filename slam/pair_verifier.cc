@@ -15,8 +15,6 @@
 namespace cvo_slam {
 namespace {
 
-using Square = Eigen::Matrix<double, 6, 6>;
-
 PointCloud first_points(const PointCloud& cloud, int count) {
   const auto n =
       static_cast<std::ptrdiff_t>(std::min(cloud.size(), static_cast<std::size_t>(count)));
@@ -45,8 +43,8 @@ void compare(const PairMeasurement& measurement, const PairPrior& prior, LoopCan
   const SE3 correction = prior.T_older_newer.inverse() * measurement.T_older_newer;
   candidate.correction_translation = correction.translation().norm();
   candidate.correction_rotation = correction.angle();
-  const Square information = measurement.information;
-  const Square covariance = Square(prior.covariance) + information.inverse();
+  const AlignedMatrix6 information = measurement.information;
+  const AlignedMatrix6 covariance = AlignedMatrix6(prior.covariance) + information.inverse();
   const Eigen::Matrix<double, 6, 1> error = correction.log();
   candidate.error = std::sqrt(error.dot(covariance.ldlt().solve(error)));
 }

@@ -11,8 +11,6 @@
 namespace cvo_slam {
 namespace {
 
-using Square = Eigen::Matrix<double, 6, 6>;
-
 /// An edge as it is walked.
 struct Step {
   std::size_t target;
@@ -31,7 +29,7 @@ std::vector<std::vector<Step>> steps_of_nodes(const PoseGraph& graph) {
     const PoseGraphEdge& edge = graph.edges()[i];
     const auto [a, b] = graph.ends()[i];
     // The way back from the residual's frame is the way there with the inverse rotation.
-    const Square information = edge_information(edge.T_from_to.inverse(), edge.information);
+    const AlignedMatrix6 information = edge_information(edge.T_from_to.inverse(), edge.information);
     const Matrix6 covariance = information.inverse();
     steps[a].push_back({b, edge.T_from_to, covariance});
     steps[b].push_back({a, edge.T_from_to.inverse(), transformed(covariance, edge.T_from_to)});

@@ -15,11 +15,10 @@ struct RegistrationNoise {
 
   /// The information with this noise on top.
   [[nodiscard]] Matrix6 added_to(const Matrix6& information) const {
-    using Square = Eigen::Matrix<double, 6, 6>;
-    Square covariance = Square(information).inverse();
+    AlignedMatrix6 covariance = AlignedMatrix6(information).inverse();
     covariance.diagonal().head<3>().array() += translation * translation;
     covariance.diagonal().tail<3>().array() += rotation * rotation;
-    const Square sum = covariance.inverse();
+    const AlignedMatrix6 sum = covariance.inverse();
     return 0.5 * (sum + sum.transpose());
   }
 };

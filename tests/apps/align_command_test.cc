@@ -15,7 +15,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 
 namespace cvo_slam {

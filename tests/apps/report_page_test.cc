@@ -16,7 +16,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/temporary_folder.h"
 

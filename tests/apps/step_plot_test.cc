@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/frontend/simd.h"
-#include "cvo_slam/io/plot/plot_file.h"
+#include "cvo_slam/plot/plot_file.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 #include "cvo_slam/tests/temporary_folder.h"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/tests/architecture/rooms.h"
 
+#include <algorithm>
+
 namespace cvo_slam::architecture {
 
 const std::vector<Room>& rooms() {
@@ -10,25 +12,26 @@ const std::vector<Room>& rooms() {
       {.name = "frontend", .may_include = {"core"}},
       {.name = "backend", .may_include = {"core"}},
       {.name = "loop", .may_include = {"core"}},
-      {.name = "io", .may_include = {"core"}, .may_use_threads = true},
-      {.name = "io/render", .may_include = {"core", "io"}},
-      {.name = "io/synthetic", .may_include = {"core", "io"}},
       {.name = "slam",
        .may_include = {"core", "frontend", "backend", "loop"},
        .may_use_threads = true},
+      {.name = "io", .may_include = {"core"}, .may_use_threads = true},
+      {.name = "plot", .may_include = {"core"}},
+      {.name = "render", .may_include = {"core", "io", "plot"}},
+      {.name = "synthetic", .may_include = {"core", "io"}},
       {.name = "apps",
-       .may_include = {"core", "frontend", "backend", "loop", "io", "io/render", "io/synthetic",
-                       "slam"},
+       .may_include = {"core", "frontend", "backend", "loop", "slam", "io", "plot", "render",
+                       "synthetic"},
        .is_library = false,
        .may_use_threads = true},
       {.name = "bench",
-       .may_include = {"core", "frontend", "backend", "loop", "io", "io/render", "io/synthetic",
-                       "slam", "apps"},
+       .may_include = {"core", "frontend", "backend", "loop", "slam", "io", "plot", "render",
+                       "synthetic", "apps"},
        .is_library = false,
        .may_use_threads = true},
       {.name = "tests",
-       .may_include = {"core", "frontend", "backend", "loop", "io", "io/render", "io/synthetic",
-                       "slam", "apps", "bench"},
+       .may_include = {"core", "frontend", "backend", "loop", "slam", "io", "plot", "render",
+                       "synthetic", "apps", "bench"},
        .is_library = false,
        .may_use_threads = true},
   };
@@ -36,15 +39,11 @@ const std::vector<Room>& rooms() {
 }
 
 const Room* room_of(std::string_view path) {
-  const Room* innermost = nullptr;
-  for (const Room& room : rooms()) {
-    const bool inside = path.size() > room.name.size() && path.starts_with(room.name) &&
-                        path[room.name.size()] == '/';
-    if (inside && (innermost == nullptr || room.name.size() > innermost->name.size())) {
-      innermost = &room;
-    }
-  }
-  return innermost;
+  const auto room = std::find_if(rooms().begin(), rooms().end(), [path](const Room& candidate) {
+    return path.size() > candidate.name.size() && path.starts_with(candidate.name) &&
+           path[candidate.name.size()] == '/';
+  });
+  return room == rooms().end() ? nullptr : &*room;
 }
 
 }  // namespace cvo_slam::architecture

@@ -129,5 +129,27 @@ TEST(OptionSet, CheckFindsWhatCodeSetWrongly) {
   EXPECT_THROW(describe(outer).check(), OptionError);
 }
 
+TEST(Options, ExpertsKeysStandApart) {
+  struct {
+    int plain = 1;
+    int deep = 2;
+    int nested = 3;
+  } o;
+  const OptionSet inner = OptionSet()
+                              .add("plain", o.plain, {0, 9}, "", "")
+                              .expert()
+                              .add("deep", o.deep, {0, 9}, "", "");
+  const OptionSet all = OptionSet()
+                            .add("a", inner)
+                            .expert()
+                            .add("b", OptionSet().add("nested", o.nested, {0, 9}, "", ""));
+  all.set("expert.a.deep", "5");
+  all.set("expert.b.nested", "6");
+  EXPECT_EQ(o.deep, 5);
+  EXPECT_EQ(o.nested, 6);
+  EXPECT_EQ(all.get("a.plain"), "1");
+  EXPECT_THROW(all.set("a.deep", "1"), OptionError);
+}
+
 }  // namespace
 }  // namespace cvo_slam

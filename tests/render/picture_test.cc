@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What pictures of unusual scenes look like: never a crash, never an empty image without a word.
-#include "cvo_slam/io/render/picture.h"
+#include "cvo_slam/render/picture.h"
 
 #include <cmath>
 #include <limits>
@@ -13,7 +13,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/render/motion_jpeg.h"
+#include "cvo_slam/render/motion_jpeg.h"
 #include "cvo_slam/tests/render/test_scenes.h"
 #include "cvo_slam/tests/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/render/renderer.h"
+#include "cvo_slam/render/renderer.h"
 
 #include <ctime>
 
@@ -9,7 +9,7 @@
 #include <opencv2/core.hpp>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/render/gl_context_internal.h"
+#include "cvo_slam/render/gl_context_internal.h"
 #include "cvo_slam/tests/render/test_scenes.h"
 
 namespace cvo_slam::render {

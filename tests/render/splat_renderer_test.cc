@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/io/render/splat_renderer_internal.h"
+#include "cvo_slam/render/splat_renderer_internal.h"
 #include "cvo_slam/tests/render/test_scenes.h"
 
 namespace cvo_slam::render {

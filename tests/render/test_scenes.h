@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/render/picture.h"
+#include "cvo_slam/render/picture.h"
 
 namespace cvo_slam::render {
 

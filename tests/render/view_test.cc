@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/render/view.h"
+#include "cvo_slam/render/view.h"
 
 #include <numbers>
 

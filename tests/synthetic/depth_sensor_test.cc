@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/io/synthetic/depth_sensor_internal.h"
-#include "cvo_slam/io/synthetic/noise_field_internal.h"
-#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/synthetic/depth_sensor_internal.h"
+#include "cvo_slam/synthetic/noise_field_internal.h"
+#include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/tests/synthetic/plane_scene.h"
 
 namespace cvo_slam::synthetic {

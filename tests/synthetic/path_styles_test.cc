@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cvo_slam/io/synthetic/scene.h"
+#include "cvo_slam/synthetic/scene.h"
 
 namespace cvo_slam::synthetic {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/synthetic/renderer.h"
+#include "cvo_slam/synthetic/renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/synthetic/sequence.h"
 
 namespace cvo_slam::synthetic {
 namespace {

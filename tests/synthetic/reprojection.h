@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
-#include "cvo_slam/io/synthetic/renderer.h"
+#include "cvo_slam/synthetic/renderer.h"
 
 namespace cvo_slam::synthetic {
 

@@ -9,9 +9,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 namespace {

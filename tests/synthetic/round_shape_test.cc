@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/shape_internal.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/shape_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/synthetic/scene.h"
+#include "cvo_slam/synthetic/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/io/synthetic/schedule_internal.h"
+#include "cvo_slam/synthetic/schedule_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/synthetic/sensor.h"
+#include "cvo_slam/synthetic/sensor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 #include <opencv2/core.hpp>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/synthetic/depth_sensor_internal.h"
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/sequence.h"
-#include "cvo_slam/io/synthetic/view_internal.h"
-#include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/synthetic/depth_sensor_internal.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/view_internal.h"
+#include "cvo_slam/synthetic/world.h"
 #include "cvo_slam/tests/synthetic/plane_scene.h"
 
 namespace cvo_slam::synthetic {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/synthetic/sequence.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,9 +16,9 @@
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/io/synthetic/output_folder_internal.h"
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/world.h"
+#include "cvo_slam/synthetic/output_folder_internal.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 namespace {

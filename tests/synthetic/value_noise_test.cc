@@ -6,8 +6,8 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/simd.h"
-#include "cvo_slam/io/synthetic/random_internal.h"
-#include "cvo_slam/io/synthetic/value_noise_internal.h"
+#include "cvo_slam/synthetic/random_internal.h"
+#include "cvo_slam/synthetic/value_noise_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/synthetic/world_file.h"
+#include "cvo_slam/synthetic/world_file.h"
 
 namespace cvo_slam::synthetic {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/synthetic/world_file.h"
+#include "cvo_slam/synthetic/world_file.h"
 
 #include <algorithm>
 #include <string>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/io/synthetic/renderer.h"
-#include "cvo_slam/io/synthetic/sequence.h"
+#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/sequence.h"
 
 namespace cvo_slam::synthetic {
 namespace {

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/core/files.h"
+
+#include <atomic>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "cvo_slam/core/error.h"
+
+namespace cvo_slam {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string last_system_error() { return std::generic_category().message(errno); }
+
+/// Throws OutputError, which names `file`, where the bytes do not all arrive at `place`.
+void write_to(const fs::path& place, std::string_view bytes, const fs::path& file) {
+  errno = 0;
+  std::ofstream stream(place, std::ios::binary | std::ios::trunc);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (stream) return;
+  throw OutputError(file, fmt::format("cannot be written: {}; check permissions and free space",
+                                      errno != 0 ? last_system_error() : "unknown error"));
+}
+
+/// A name beside `file` that no other call uses at the same time.
+fs::path name_aside(const fs::path& file) {
+  static std::atomic<unsigned> calls{0};
+  fs::path aside = file;
+  aside += fmt::format(".part-{}-{}", getpid(), calls.fetch_add(1));
+  return aside;
+}
+
+/// Where a link leads; the file itself where it is none or leads nowhere yet.
+fs::path resolved(const fs::path& file) {
+  std::error_code problem;
+  if (!fs::is_symlink(fs::symlink_status(file, problem))) return file;
+  const fs::path target = fs::weakly_canonical(file, problem);
+  return problem ? file : target;
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& file) {
+  std::error_code problem;
+  // A folder can be opened on Linux; only reading from it fails.
+  if (fs::is_directory(file, problem)) {
+    throw InputError(file, "is a folder; a file is needed");
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw InputError(file, fmt::format("cannot be opened: {}; check the path and its permissions",
+                                       last_system_error()));
+  }
+  std::string bytes;
+  const auto size = fs::file_size(file, problem);  // of a pipe there is none
+  if (!problem) bytes.reserve(size);
+  bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  if (stream.bad()) throw InputError(file, "cannot be read to its end; check the disk");
+  return bytes;
+}
+
+void write_file(const fs::path& file, std::string_view bytes) {
+  const fs::path place = resolved(file);
+  std::error_code problem;
+  const fs::file_status status = fs::status(place, problem);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(place, bytes, file);
+  const fs::path aside = name_aside(place);
+  try {
+    write_to(aside, bytes, file);
+  } catch (const OutputError&) {
+    fs::remove(aside, problem);
+    throw;
+  }
+  if (fs::exists(status)) fs::permissions(aside, status.permissions(), problem);
+  fs::rename(aside, place, problem);
+  if (!problem) return;
+  const std::string reason = problem.message();
+  fs::remove(aside, problem);
+  throw OutputError(file, fmt::format("cannot be replaced: {}; check its permissions", reason));
+}
+
+bool make_folder(const fs::path& folder) {
+  std::error_code problem;
+  const bool made = fs::create_directories(folder, problem);
+  if (!problem) return made;
+  throw OutputError(folder, fmt::format("cannot be made a folder: {}; choose another folder or "
+                                        "check its permissions",
+                                        problem.message()));
+}
+
+void remove_file(const fs::path& file) {
+  std::error_code problem;
+  fs::remove(file, problem);
+  if (!problem) return;
+  throw OutputError(file, fmt::format("cannot be removed: {}; choose another folder or check its "
+                                      "permissions",
+                                      problem.message()));
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cvo_slam/core/timestamp.h"
+#include "cvo_slam/synthetic/sensor.h"
+#include "cvo_slam/synthetic/sensor_options.h"
+
+namespace cvo_slam::synthetic {
+
+/// When a frame is taken, and which of its images are kept.
+struct FrameTimes {
+  Timestamp color;
+  Timestamp depth;
+  bool has_color = true;
+  bool has_depth = true;
+
+  /// In the time of the world, which begins with the first frame.
+  [[nodiscard]] Exposure exposure() const;
+};
+
+/// The first `frames` frames at 30 Hz. Any two schedules of the same options and seed agree in the
+/// frames that both have.
+[[nodiscard]] std::vector<FrameTimes> schedule(std::size_t frames, const SensorOptions& options,
+                                               std::uint32_t world_seed);
+
+/// The stamps of the world's time from the first frame to the last: 100 a second, and those of the
+/// colour images that are kept, in order, none twice.
+[[nodiscard]] std::vector<Timestamp> reference_stamps(const std::vector<FrameTimes>& frames);
+
+/// The time of the world at a stamp [s].
+[[nodiscard]] double world_seconds(const Timestamp& stamp);
+
+}  // namespace cvo_slam::synthetic
