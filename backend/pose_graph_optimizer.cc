@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/backend/pose_graph_optimizer.h"
 
+#include <numeric>
+
 namespace cvo_slam {
 namespace {
 
@@ -40,31 +42,23 @@ PoseGraphOptimizer::PoseGraphOptimizer(const OptimizerOptions& options) : option
   describe(options_).check();
 }
 
-void PoseGraphOptimizer::add_node(const PoseGraphNode& node) {
-  graph_.add_node(node);
-  edges_of_node_.emplace_back();
-}
+void PoseGraphOptimizer::add_node(const PoseGraphNode& node) { graph_.add_node(node); }
 
 void PoseGraphOptimizer::add_edge(const PoseGraphEdge& edge) {
   graph_.add_edge(edge);
-  const std::size_t index = graph_.edges().size() - 1;
-  const auto [a, b] = graph_.ends()[index];
-  edges_of_node_[a].push_back(index);
-  edges_of_node_[b].push_back(index);
   weights_.push_back(1);
 }
 
 void PoseGraphOptimizer::remove_edge(std::size_t index) {
   graph_.remove_edge(index);
   weights_.erase(weights_.begin() + static_cast<std::ptrdiff_t>(index));
-  for (std::vector<std::size_t>& edges : edges_of_node_) {
-    std::erase(edges, index);
-    for (std::size_t& edge : edges) edge -= edge > index ? 1 : 0;
-  }
 }
 
 Summary PoseGraphOptimizer::optimize(OptimizationScope scope) {
+  moved_.clear();
   if (scope == OptimizationScope::kWindow) return optimize_window();
+  moved_.resize(graph_.nodes().size());
+  std::iota(moved_.begin(), moved_.end(), std::size_t{0});
   Summary summary = cvo_slam::optimize(graph_, options_);
   weights_ = summary.weights;
   return summary;
@@ -78,7 +72,7 @@ std::vector<bool> PoseGraphOptimizer::nodes_near_newest() const {
   for (int distance = 0; distance < options_.window && !ring.empty(); ++distance) {
     std::vector<std::size_t> next;
     for (const std::size_t node : ring) {
-      for (const std::size_t edge : edges_of_node_[node]) {
+      for (const std::size_t edge : graph_.edges_of(node)) {
         const auto [a, b] = graph_.ends()[edge];
         const std::size_t other = a == node ? b : a;
         if (near[other] || weights_[edge] < 0.5) continue;  // a rejected edge leads nowhere
@@ -102,6 +96,7 @@ Summary PoseGraphOptimizer::optimize_window() {
   for (std::size_t i = 0; i < window.nodes.size(); ++i) {
     if (!is_free[window.nodes[i]]) continue;
     graph_.set_pose(window.nodes[i], window.graph.nodes()[i].T_world_node);
+    moved_.push_back(window.nodes[i]);
   }
   for (std::size_t i = 0; i < window.edges.size(); ++i) {
     weights_[window.edges[i]] = summary.weights[i];

@@ -41,13 +41,16 @@ class PoseGraphOptimizer {
   /// Of each edge, from the last optimisation that it took part in (Summary::weights); 1 before.
   [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
 
+  /// Indices of the nodes whose poses the last optimisation may have changed.
+  [[nodiscard]] const std::vector<std::size_t>& moved() const { return moved_; }
+
  private:
   [[nodiscard]] std::vector<bool> nodes_near_newest() const;
   Summary optimize_window();
 
   OptimizerOptions options_;
   PoseGraph graph_;
-  std::vector<std::vector<std::size_t>> edges_of_node_;
+  std::vector<std::size_t> moved_;
   std::vector<double> weights_;
 };
 

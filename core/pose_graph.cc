@@ -47,11 +47,16 @@ void PoseGraph::add_node(const PoseGraphNode& node) {
     throw DataError(fmt::format("node {} exists already; ids must be unique", node.id));
   }
   nodes_.push_back(node);
+  edges_of_.emplace_back();
 }
 
 void PoseGraph::add_edge(const PoseGraphEdge& edge) {
   check_edge(edge);
-  ends_.emplace_back(index_of(edge.from), index_of(edge.to));
+  const std::size_t from = index_of(edge.from);
+  const std::size_t to = index_of(edge.to);
+  edges_of_[from].push_back(edges_.size());
+  edges_of_[to].push_back(edges_.size());
+  ends_.emplace_back(from, to);
   edges_.push_back(edge);
 }
 
@@ -61,6 +66,18 @@ void PoseGraph::remove_edge(std::size_t index) {
   }
   edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(index));
   ends_.erase(ends_.begin() + static_cast<std::ptrdiff_t>(index));
+  for (std::vector<std::size_t>& edges : edges_of_) {
+    std::erase(edges, index);
+    for (std::size_t& edge : edges) edge -= edge > index ? 1 : 0;
+  }
+}
+
+bool PoseGraph::has_edge(NodeId from, NodeId to) const {
+  const std::size_t a = index_of(from);
+  const std::size_t b = index_of(to);
+  return std::any_of(edges_of_[b].begin(), edges_of_[b].end(), [&](std::size_t edge) {
+    return ends_[edge] == std::make_pair(a, b);
+  });
 }
 
 std::size_t PoseGraph::index_of(NodeId id) const {

@@ -60,6 +60,14 @@ class PoseGraph {
     return ends_;
   }
 
+  /// Indices in edges() of the edges that a node is an end of, ascending; takes the node's index in
+  /// nodes().
+  [[nodiscard]] const std::vector<std::size_t>& edges_of(std::size_t index) const {
+    return edges_of_[index];
+  }
+  /// True if an edge leads from one node to the other. Throws DataError if there is no such node.
+  [[nodiscard]] bool has_edge(NodeId from, NodeId to) const;
+
   [[nodiscard]] bool has_node(NodeId id) const { return index_.contains(id); }
   /// The node's place in nodes(); throws DataError where there is no such node.
   [[nodiscard]] std::size_t index_of(NodeId id) const;
@@ -79,6 +87,7 @@ class PoseGraph {
   std::vector<PoseGraphNode> nodes_;
   std::vector<PoseGraphEdge> edges_;
   std::vector<std::pair<std::size_t, std::size_t>> ends_;
+  std::vector<std::vector<std::size_t>> edges_of_;  // by node
   std::unordered_map<NodeId, std::size_t> index_;
 };
 

@@ -7,37 +7,49 @@
 #include <string>
 #include <vector>
 
+#include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/loop/loop_verifier.h"
 
 namespace cvo_slam {
 
-/// A pair of keyframes that might constrain one another, and what became of it.
+/// A pair of keyframes that might constrain one another, and what became of it: a row of loops.csv.
+/// Figures that were not computed are 0.
 struct LoopCandidate {
   EdgeKind kind = EdgeKind::kProximity;
-  std::size_t from = 0;  ///< frame index of the older keyframe
-  std::size_t to = 0;    ///< frame index of the newer one
-  /// Whether the newer one is a frame that was lost, and a keyframe only if this was accepted.
+  std::size_t from = 0;  ///< number of the older keyframe
+  std::size_t to = 0;    ///< number of the newer one
+  /// True if the newer one is a frame that was lost; it is a keyframe only if this was accepted.
   bool relocalization = false;
-  /// Of a place that was recognised (kLoop): how alike the words are, also as a share of what they
-  /// are with the keyframe before (LoopMatch), and how many features agree with one pose.
+  /// Similarity of the words of the two images (kLoop).
   double score = 0;
+  /// The score as a share of that with the preceding keyframe (LoopMatch).
   double normalized_score = 0;
-  std::size_t inliers = 0;
-  std::vector<PixelPair> pixels;  ///< of those features, a = from, b = to (Verification)
-  /// By the poses of the graph, before this was tried; none where it does not connect the two.
+  std::size_t inliers = 0;        ///< features that agree with one pose (kLoop)
+  std::vector<PixelPair> pixels;  ///< where they are: a = from, b = to (Verification)
+  /// Overlap by the poses of the graph before the pair was registered: the smaller of the two
+  /// shares of points that lie in the other's image. None if the graph does not connect the two.
   std::optional<double> expected_overlap;
-  double overlap = 0;    ///< the lower one of the two registrations; 0 where there was none
-  double cos_theta = 0;  ///< likewise
-  /// How far the two registrations, one each way, are apart [m, rad].
-  double round_trip_translation = 0;
-  double round_trip_rotation = 0;
-  /// How far the answer is from the graph's poses [m, rad, standard deviations].
-  double correction_translation = 0;
-  double correction_rotation = 0;
-  double error = 0;
-  bool accepted = false;
-  std::string reason;  ///< why it was not accepted, or taken back later; empty where it is an edge
+  double overlap = 0;    ///< the lower one of the two registrations'
+  double cos_theta = 0;  ///< the lower one of the two registrations'
+  /// How far the two registrations, one each way, are apart.
+  double round_trip_translation = 0;  ///< [m]
+  double round_trip_rotation = 0;     ///< [rad]
+  /// How far the measurement is from the graph's poses.
+  double correction_translation = 0;  ///< [m]
+  double correction_rotation = 0;     ///< [rad]
+  double error = 0;                   ///< [standard deviations]
+  bool accepted = false;              ///< true if it is an edge
+  std::string reason;  ///< why it was not accepted, or was taken back; empty if it is an edge
+};
+
+/// How often the graph was optimised while it grew, and how long that took.
+struct GraphStatistics {
+  int window_solves = 0;
+  int full_solves = 0;
+  double window_seconds = 0;  ///< wall time of all window solves
+  double full_seconds = 0;    ///< wall time of all full solves
+  Summary last_full;          ///< of the last optimisation of the whole graph
 };
 
 }  // namespace cvo_slam

@@ -2,78 +2,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <memory>
-#include <optional>
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/core/timestamp.h"
-#include "cvo_slam/frontend/registration.h"
-#include "cvo_slam/slam/loop_candidate.h"
-#include "cvo_slam/slam/registration_noise_internal.h"
+#include "cvo_slam/slam/map_state_internal.h"
 #include "cvo_slam/slam/slam_options.h"
 
 namespace cvo_slam {
 
-/// A keyframe as the search for near ones sees it.
-struct KeyframeView {
-  std::size_t frame = 0;
-  int segment = 0;
-  int part = 0;  ///< the first segment among those that the graph connects with this one
-  SE3 T_world_camera;
-  std::shared_ptr<const PointCloud> cloud;
-  Timestamp stamp;
+/// An earlier keyframe that sees much of what the newest one sees.
+struct NearKeyframe {
+  std::size_t position = 0;
+  double expected_overlap = 0;  ///< mutual_overlap() by the poses of the graph
 };
 
-/// An earlier keyframe to register the newest one to.
-struct NearView {
-  std::size_t index = 0;  ///< in the list of views
-  double expected_overlap = 0;
-};
+/// The smaller one of two shares: that of the points of `a` which lie in the image of `b`, and the
+/// reverse (visible_share()).
+[[nodiscard]] double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
+                                    const PinholeCamera& camera);
 
-/// Those of the views before the last one that the last one shall be registered to: the most recent
-/// ones but its predecessor, and the older ones that see most of the same, spread over the
-/// sequence.
-[[nodiscard]] std::vector<NearView> find_near_views(const std::vector<KeyframeView>& views,
-                                                    const PinholeCamera& camera,
-                                                    const ProximityOptions& options);
-
-/// What the graph knows of a pair.
-struct PairPrior {
-  SE3 T_older_newer;
-  Matrix6 covariance = Matrix6::Zero();  ///< of a right perturbation
-};
-
-struct PairMeasurement {
-  SE3 T_older_newer;
-  Matrix6 information = Matrix6::Identity();  ///< of a right perturbation
-};
-
-/// Registers the newest keyframe to earlier ones, and judges the answers.
-class PairVerifier {
+/// Finds keyframes by where their cameras are, so that a search costs the same however large the
+/// map is.
+class ProximityIndex {
  public:
-  PairVerifier(const RegistrationOptions& registration, int threads, const PairOptions& options,
-               const RegistrationNoise& noise);
+  /// Enters a keyframe, or moves it to where its camera is now.
+  void set(std::size_t position, const Vector3& camera, double reach);
 
-  void set_newest(const PointCloud& cloud);
-  /// The measurement, searched for from T_older_newer, where it is believed; `candidate` gets all
-  /// figures and the verdict. `usual_cos_theta` is that of registrations that are known to be good.
-  /// Null where the graph does not know the pair.
-  [[nodiscard]] std::optional<PairMeasurement> verify(const PointCloud& older,
-                                                      const SE3& T_older_newer,
-                                                      const PairPrior* prior,
-                                                      double usual_cos_theta,
-                                                      LoopCandidate& candidate);
+  /// Positions, descending, of the other keyframes that may have seen a point that the given one
+  /// saw: their cameras are no further apart than their reaches together.
+  [[nodiscard]] std::vector<std::size_t> within_reach_of(std::size_t position) const;
 
  private:
-  PairOptions options_;
-  RegistrationNoise noise_;
-  Registration to_newest_;
-  Registration to_older_;
-  PointCloud newest_;  // the first points
+  using Cell = std::array<std::int32_t, 3>;
+  struct Entry {
+    Vector3 camera = Vector3::Zero();
+    double reach = 0;
+    Cell cell = {};
+  };
+
+  std::vector<Entry> entries_;  // by position
+  std::map<Cell, std::vector<std::size_t>> cells_;
+  double largest_reach_ = 0;
 };
+
+/// The keyframes that the newest one is to be registered to besides its predecessor: the most
+/// recent ones, and of the older ones those that see most of the same, spread over the sequence.
+[[nodiscard]] std::vector<NearKeyframe> find_near_keyframes(const MapState& map,
+                                                            const ProximityIndex& index,
+                                                            const PinholeCamera& camera,
+                                                            const ProximityOptions& options);
 
 }  // namespace cvo_slam

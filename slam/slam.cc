@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/slam/slam.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -13,232 +11,156 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/slam/final_trajectory_internal.h"
 #include "cvo_slam/slam/job_queue_internal.h"
-#include "cvo_slam/slam/keyframe_map_internal.h"
-#include "cvo_slam/slam/place_agreement_internal.h"
+#include "cvo_slam/slam/mapper_internal.h"
 
 namespace cvo_slam {
 namespace {
 
 SlamOptions checked(SlamOptions options) {
   describe(options).check();
+  check_consistency(options.tracker);
   return options;
 }
 
-/// What the map made of a keyframe; written by its job.
-struct MappedKeyframe {
-  int segment = 0;
-  int part = 0;
+/// A keyframe that the mapper works on.
+struct SubmittedKeyframe {
+  int tracked_submap = 0;
   SE3 T_world_camera_tracked;
-  SE3 T_world_camera;
+  std::shared_ptr<CorrectedPose> corrected;  // written by the job
 };
 
-/// What the map has made of a segment.
+/// Where the map has a tracked submap.
 struct Correction {
-  int part = 0;
+  int submap = 0;
   SE3 T_corrected_tracked;
 };
-
-/// What a new keyframe saw.
-struct NewKeyframe {
-  std::shared_ptr<const PointCloud> cloud;
-  std::shared_ptr<const RgbdFrame> image;  // where loops are looked for
-  std::optional<KeyframeLink> place;       // where the lost camera was found
-};
-
-/// The caller may grab the next images into the memory of these.
-std::shared_ptr<const RgbdFrame> copy_of(const RgbdFrame& frame) {
-  RgbdFrame copy = frame;
-  copy.color = frame.color.clone();
-  copy.depth = frame.depth.clone();
-  return std::make_shared<const RgbdFrame>(std::move(copy));
-}
-
-/// A new keyframe with what the tracker found of it.
-TrackedKeyframe keyframe_of(const FrameRecord& record, NewKeyframe seen) {
-  TrackedKeyframe keyframe{record.index,          record.stamp,         record.segment,
-                           record.T_world_camera, std::nullopt,         std::move(seen.place),
-                           std::move(seen.cloud), std::move(seen.image)};
-  if (record.keyframe != record.index) {
-    const RegistrationResult& result = record.registration;
-    keyframe.link = {record.keyframe, result.T_fixed_moving, result.information, result.cos_theta};
-  }
-  return keyframe;
-}
-
-SE3 pose_in(const PoseGraph& graph, std::size_t keyframe) {
-  return graph.nodes()[graph.index_of(node_id(keyframe))].T_world_node;
-}
 
 }  // namespace
 
 struct Slam::Impl {
-  Impl(const Camera& camera_in, const TrackerOptions& tracker_options_in,
-       const SlamOptions& slam_options, const std::shared_ptr<const Vocabulary>& vocabulary)
-      : camera(camera_in),
-        tracker_options(tracker_options_in),
-        options(checked(slam_options)),
-        tracker(camera, tracker_options),
-        agreement(options.loops.relocalization.frames, tracker_options.lost.max_speed,
-                  tracker_options.lost.max_angular_speed),
-        map(camera, tracker_options.registration, tracker_options.threads, options, vocabulary),
-        jobs(options.schedule) {
-    tracker.observe_keyframes(
-        [this](const RgbdFrame& frame, const PointCloud& cloud) { see_keyframe(frame, cloud); });
-  }
+  Impl(const Camera& camera, const SlamOptions& options_in,
+       const std::shared_ptr<const Vocabulary>& vocabulary)
+      : options(checked(options_in)),
+        tracker(camera, options.tracker),
+        agreement(options.loops.relocalization.frames, options.tracker.lost.max_speed,
+                  options.tracker.lost.max_angular_speed),
+        mapper(camera, options, vocabulary),
+        jobs(options.schedule) {}
 
-  Camera camera;
-  TrackerOptions tracker_options;
   SlamOptions options;
   Tracker tracker;
-  PlaceAgreement agreement;                          // of the frames since tracking was lost
-  std::map<std::size_t, NewKeyframe> new_keyframes;  // by frame
-  std::vector<FrameRecord> tracked;                  // as the tracker answered
-  std::vector<FrameRecord> online;                   // with what was known at the time
-  std::vector<Keyframe> keyframes;                   // handed over to the map
-  std::deque<std::shared_ptr<const MappedKeyframe>> on_their_way;
-  std::map<int, Correction> corrections;  // by segment
-  KeyframeMap map;
+  FrameHistory history;
+  FrameRecord last_tracked;                  // as the tracker answered
+  PoseAgreement agreement;                   // of the frames since tracking was lost
+  std::optional<RecognizedPose> recognized;  // of the newest keyframe, before the mapper has it
+  std::deque<SubmittedKeyframe> submitted;   // whose corrections are not applied yet
+  std::map<int, Correction> corrections;     // by tracked submap
+  Mapper mapper;
   JobQueue jobs;  // the last member: its thread ends before what it works on
 
-  void see_keyframe(const RgbdFrame& frame, const PointCloud& cloud);
   FrameRecord track(const RgbdFrame& frame);
   [[nodiscard]] FrameRecord relocalize(const RgbdFrame& frame, const FrameRecord& lost);
-  void correct(FrameRecord& record) const;
-  void hand_over_keyframes_before(std::size_t frame);
-  void submit(TrackedKeyframe keyframe);
+  void submit(const TrackerKeyframe& keyframe);
   void apply_corrections(std::size_t left);
-  [[nodiscard]] const FrameRecord& record_of(std::size_t frame) const;
-  [[nodiscard]] const FrameRecord* next_keyframe(const FrameRecord& frame) const;
-  [[nodiscard]] SE3 final_pose(std::size_t record) const;
+  [[nodiscard]] FrameRecord corrected(FrameRecord record) const;
+  void finish();
 };
 
-/// Keeps the points of a new keyframe, or of one that is made again before the map has it.
-void Slam::Impl::see_keyframe(const RgbdFrame& frame, const PointCloud& cloud) {
-  if (!keyframes.empty() && frame.index <= keyframes.back().frame) return;
-  NewKeyframe& seen = new_keyframes[frame.index];
-  seen.cloud = std::make_shared<const PointCloud>(cloud);
-  if (options.loops.enabled && !seen.image) seen.image = copy_of(frame);
-}
-
 FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
-  if (!tracked.empty() && frame.index <= tracked.back().index) {
+  if (!history.empty() && frame.index <= history.newest().frame) {
     throw DataError(
-        fmt::format("frame index {} is not above that of the frame before, {}; number "
-                    "the frames in ascending order",
-                    frame.index, tracked.back().index));
+        fmt::format("frame index {} is not above that of the frame before, {}; number the frames "
+                    "in ascending order",
+                    frame.index, history.newest().frame));
   }
-  FrameRecord record = tracker.track(frame);
-  if (record.status == TrackingStatus::kTracked) {
-    agreement.forget();
+  auto [tracked, keyframe] = tracker.track(frame);
+  if (keyframe) submit(*keyframe);
+  if (tracked.status == TrackingStatus::kTracked) {
+    agreement.clear();
   } else if (options.loops.enabled) {
-    record = relocalize(frame, record);
+    tracked = relocalize(frame, tracked);
   }
-  tracked.push_back(record);
-  if (record.status == TrackingStatus::kTracked) {
-    // A keyframe's points are final when a frame was registered to it.
-    hand_over_keyframes_before(frame.index);
-    correct(record);
-  }
-  online.push_back(record);
-  return record;
+  if (tracked.status == TrackingStatus::kTracked) last_tracked = tracked;
+  const FrameRecord answer = corrected(tracked);
+  history.add({tracked.index, tracked.stamp, tracked.status, tracked.reason, tracked.submap,
+               tracked.keyframe, tracked.registration.T_fixed_moving, answer.T_world_camera,
+               answer.submap});
+  return answer;
 }
 
-/// Goes on with a lost frame where enough frames in a row show a place that the map knows.
+/// Continues at a lost frame if enough frames in a row show keyframes that agree on where it is.
 FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lost) {
-  if (!check_images(frame, camera).empty()) return lost;
-  hand_over_keyframes_before(frame.index);
+  const PointCloud cloud = tracker.select_keyframe_points();
+  if (cloud.size() == 0) return lost;
+  if (const auto keyframe = tracker.take_keyframe()) submit(*keyframe);
   jobs.wait_until_left(0);
-  const auto place = map.relocalize(
-      frame,
-      select_points(frame, camera, tracker_options.keyframe_points, tracker_options.selection));
-  if (!place || !agreement.see({frame.stamp, place->part, place->T_world_camera})) return lost;
-  FrameRecord record = tracker.resume(frame, place->T_world_camera);
+  const auto pose = mapper.relocalize(frame, cloud);
+  if (!pose || !agreement.add(frame.stamp, *pose)) return lost;
+  const FrameRecord record = tracker.resume(pose->T_world_camera);
   if (record.status == TrackingStatus::kLost) return lost;
-  agreement.forget();
-  new_keyframes[frame.index].place = place->link;
-  corrections[record.segment] = {place->part, SE3()};
+  agreement.clear();
+  recognized = pose;
+  corrections[record.submap] = {pose->submap, SE3()};
   return record;
 }
 
-/// Puts a tracked frame where the map has its segment.
-void Slam::Impl::correct(FrameRecord& record) const {
-  const auto correction = corrections.find(record.segment);
-  if (correction == corrections.end()) return;
-  const auto& [part, T_corrected_tracked] = correction->second;
-  record.segment = part;
-  record.T_world_camera = (T_corrected_tracked * record.T_world_camera).normalized();
-}
-
-void Slam::Impl::hand_over_keyframes_before(std::size_t frame) {
-  while (!new_keyframes.empty() && new_keyframes.begin()->first < frame) {
-    const auto next = new_keyframes.extract(new_keyframes.begin());
-    submit(keyframe_of(record_of(next.key()), next.mapped()));
-    apply_corrections(static_cast<std::size_t>(options.correction_delay));
+/// Hands a keyframe to the mapper, which is always the frame that was tracked last, and applies
+/// what the map has learnt from earlier ones.
+void Slam::Impl::submit(const TrackerKeyframe& keyframe) {
+  const FrameRecord& record = last_tracked;
+  KeyframeInput input;
+  input.number = record.index;
+  input.stamp = record.stamp;
+  input.tracked_submap = record.submap;
+  input.T_world_camera = record.T_world_camera;
+  input.cloud = keyframe.cloud;
+  if (record.keyframe != record.index) {
+    const RegistrationResult& result = record.registration;
+    input.odometry = {record.keyframe, result.T_fixed_moving, result.information, result.cos_theta};
   }
-}
-
-void Slam::Impl::submit(TrackedKeyframe keyframe) {
-  keyframes.push_back({keyframe.frame, keyframe.stamp, keyframe.segment, keyframe.T_world_camera});
-  const auto mapped = std::make_shared<MappedKeyframe>();
-  mapped->segment = keyframe.segment;
-  mapped->T_world_camera_tracked = keyframe.T_world_camera;
-  on_their_way.push_back(mapped);
-  jobs.submit([this, mapped, keyframe = std::move(keyframe)] {
-    mapped->T_world_camera = map.add(keyframe);
-    mapped->part = map.part_of(keyframe.segment);
+  input.recognized = std::exchange(recognized, std::nullopt);
+  if (options.loops.enabled) input.images = keyframe.images;
+  history.add_keyframe(input.number);
+  submitted.push_back({record.submap, record.T_world_camera, std::make_shared<CorrectedPose>()});
+  jobs.submit([this, corrected = submitted.back().corrected, input = std::move(input)] {
+    *corrected = mapper.add(input);
   });
+  apply_corrections(static_cast<std::size_t>(options.correction_delay));
 }
 
-/// Waits until at most so many keyframes are on their way, and takes over what is known of the
+/// Waits until at most `left` keyframes are in work, and takes over what the map says of the
 /// others.
 void Slam::Impl::apply_corrections(std::size_t left) {
-  if (on_their_way.size() <= left) return;
+  if (submitted.size() <= left) return;
   jobs.wait_until_left(left);
-  const MappedKeyframe& newest = *on_their_way[on_their_way.size() - left - 1];
-  corrections[newest.segment] = {newest.part,
-                                 newest.T_world_camera * newest.T_world_camera_tracked.inverse()};
-  on_their_way.erase(on_their_way.begin(), on_their_way.end() - static_cast<std::ptrdiff_t>(left));
+  const SubmittedKeyframe& newest = submitted[submitted.size() - left - 1];
+  corrections[newest.tracked_submap] = {
+      newest.corrected->submap,
+      newest.corrected->T_world_camera * newest.T_world_camera_tracked.inverse()};
+  submitted.erase(submitted.begin(), submitted.end() - static_cast<std::ptrdiff_t>(left));
 }
 
-const FrameRecord& Slam::Impl::record_of(std::size_t frame) const {
-  return *std::lower_bound(
-      tracked.begin(), tracked.end(), frame,
-      [](const FrameRecord& record, std::size_t index) { return record.index < index; });
+/// A tracked frame where the map has its submap.
+FrameRecord Slam::Impl::corrected(FrameRecord record) const {
+  const auto correction = corrections.find(record.submap);
+  if (record.status == TrackingStatus::kLost || correction == corrections.end()) return record;
+  const auto& [submap, T_corrected_tracked] = correction->second;
+  record.submap = submap;
+  record.T_world_camera = (T_corrected_tracked * record.T_world_camera).normalized();
+  return record;
 }
 
-/// The keyframe after the frame, where it was tracked against the same keyframe as the frame.
-const FrameRecord* Slam::Impl::next_keyframe(const FrameRecord& frame) const {
-  const auto next = std::upper_bound(
-      keyframes.begin(), keyframes.end(), frame.index,
-      [](std::size_t index, const Keyframe& keyframe) { return index < keyframe.frame; });
-  if (next == keyframes.end()) return nullptr;
-  const FrameRecord& record = record_of(next->frame);
-  return record.keyframe == frame.keyframe ? &record : nullptr;
+void Slam::Impl::finish() {
+  if (const auto keyframe = tracker.take_keyframe()) submit(*keyframe);
+  apply_corrections(0);
+  mapper.optimize_all();
 }
 
-/// Where the graph has the frame; for one whose keyframe it does not have yet, the online pose.
-/// What the graph has corrected between two keyframes is shared out by time among the frames
-/// between.
-SE3 Slam::Impl::final_pose(std::size_t record) const {
-  const PoseGraph& graph = map.graph();
-  const FrameRecord& r = tracked[record];
-  if (graph.has_node(node_id(r.index))) return pose_in(graph, r.index);
-  if (!graph.has_node(node_id(r.keyframe))) return online[record].T_world_camera;
-  const SE3 T_world_keyframe = pose_in(graph, r.keyframe);
-  const SE3 T_world_camera = T_world_keyframe * r.registration.T_fixed_moving;
-  const FrameRecord* const next = next_keyframe(r);
-  if (next == nullptr) return T_world_camera.normalized();
-  const SE3 T_world_next_tracked = T_world_keyframe * next->registration.T_fixed_moving;
-  const SE3 correction = T_world_next_tracked.inverse() * pose_in(graph, next->index);
-  const Timestamp begin = record_of(r.keyframe).stamp;
-  const double share = seconds_between(begin, r.stamp) / seconds_between(begin, next->stamp);
-  return (T_world_camera * SE3::exp(share * correction.log())).normalized();
-}
-
-Slam::Slam(const Camera& camera, const TrackerOptions& tracker, const SlamOptions& options,
+Slam::Slam(const Camera& camera, const SlamOptions& options,
            const std::shared_ptr<const Vocabulary>& vocabulary)
-    : impl_(std::make_unique<Impl>(camera, tracker, options, vocabulary)) {}
+    : impl_(std::make_unique<Impl>(camera, options, vocabulary)) {}
 
 Slam::~Slam() = default;
 Slam::Slam(Slam&&) noexcept = default;
@@ -246,48 +168,38 @@ Slam& Slam::operator=(Slam&&) noexcept = default;
 
 FrameRecord Slam::track(const RgbdFrame& frame) { return impl_->track(frame); }
 
-void Slam::finish() {
-  impl_->hand_over_keyframes_before(std::numeric_limits<std::size_t>::max());
-  impl_->apply_corrections(0);
-  impl_->map.optimize_all();
-}
+void Slam::finish() { impl_->finish(); }
 
 Trajectory Slam::trajectory(TrajectoryView view) const {
-  if (view == TrajectoryView::kOnline) return to_trajectory(impl_->online);
+  if (view == TrajectoryView::kOnline) return online_trajectory(impl_->history);
   impl_->jobs.wait_until_left(0);
-  std::vector<FrameRecord> records = impl_->tracked;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (records[i].status == TrackingStatus::kTracked) {
-      records[i].T_world_camera = impl_->final_pose(i);
-      records[i].segment = impl_->map.part_of(records[i].segment);
-    }
-  }
-  return to_trajectory(records);
+  return final_trajectory(impl_->history, impl_->mapper.map());
 }
 
 PoseGraph Slam::pose_graph() const {
   impl_->jobs.wait_until_left(0);
-  return impl_->map.graph();
+  return impl_->mapper.graph();
 }
 
 std::vector<Keyframe> Slam::keyframes() const {
   impl_->jobs.wait_until_left(0);
-  std::vector<Keyframe> keyframes = impl_->keyframes;
-  for (std::size_t i = 0; i < keyframes.size(); ++i) {
-    keyframes[i].T_world_camera = impl_->map.graph().nodes()[i].T_world_node;
-    keyframes[i].segment = impl_->map.part_of(keyframes[i].segment);
+  const MapState& map = impl_->mapper.map();
+  std::vector<Keyframe> keyframes;
+  for (std::size_t i = 0; i < map.keyframes.size(); ++i) {
+    const StoredKeyframe& keyframe = map.keyframes[i];
+    keyframes.push_back({keyframe.number, keyframe.stamp, map.submap_at(i), map.graph.pose(i)});
   }
   return keyframes;
 }
 
 std::vector<LoopCandidate> Slam::loop_candidates() const {
   impl_->jobs.wait_until_left(0);
-  return impl_->map.candidates();
+  return impl_->mapper.candidates();
 }
 
-GraphStatistics Slam::graph_statistics() const {
+GraphStatistics Slam::statistics() const {
   impl_->jobs.wait_until_left(0);
-  return impl_->map.statistics();
+  return impl_->mapper.statistics();
 }
 
 }  // namespace cvo_slam

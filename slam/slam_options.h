@@ -4,6 +4,7 @@
 
 #include "cvo_slam/backend/optimizer_options.h"
 #include "cvo_slam/core/options.h"
+#include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/loop/loop_options.h"
 
 namespace cvo_slam {
@@ -14,61 +15,91 @@ enum class Schedule {
   kPipelined,  ///< in a thread of its own, while the next frames are tracked
 };
 
-/// How a keyframe is registered to an earlier one, and when the answer is believed.
+/// How a keyframe is registered to an earlier one, and when the result is believed.
 struct PairOptions {
-  int points = 1500;
-  int skip_scales = 1;
+  /// Least overlap, in [0, 1]. More than the tracker asks for: a graph can do without a constraint,
+  /// the tracker cannot do without a frame; and with less in common the errors of the depth differ
+  /// more between the two views. Lower it to get more edges where keyframes are far apart.
   double min_overlap = 0.6;
-  double min_cos_theta = 0.4;
-  double max_round_trip_translation = 0.01;
-  double max_round_trip_rotation = 0.015;
+  /// Largest difference from the graph, in standard deviations of both. 8 is twice what
+  /// chi-square's 99 % allow, because drift is not white noise: 4 refuses the registrations that
+  /// correct the drift of fr1/rpy. Lower it where false edges are a worse problem than drift.
   double max_error = 8;
+  int points = 1500;                         ///< points of the moving keyframe
+  int skip_scales = 1;                       ///< coarsest length scales left out
+  double min_cos_theta = 0.4;                ///< least cos_theta, as a share of the usual one
+  double max_round_trip_translation = 0.01;  ///< largest difference of the two ways [m]
+  double max_round_trip_rotation = 0.015;    ///< largest difference of the two ways [rad]
 };
 
 /// Which earlier keyframes a new one is registered to besides its predecessor.
 struct ProximityOptions {
+  /// Number of keyframes before the predecessor [keyframes]. They hold the drift down; with a
+  /// keyframe every quarter of the field of view, the fifth has left the image. 0 switches them
+  /// off.
   int recent = 4;
+  /// Number of older keyframes that see most of the same [keyframes]. Each costs two registrations.
+  /// 0 switches them off.
   int near = 4;
-  int min_gap = 5;
+  /// Least overlap by the poses of the graph, in [0, 1], for a registration to be tried. Not below
+  /// pair.min_overlap, because what hides the scene is not considered.
   double min_expected_overlap = 0.6;
+  int min_gap = 5;  ///< least distance between two of the older keyframes [keyframes]
   PairOptions pair = {};
 };
 
-/// What it takes to believe in a place where the graph cannot say whether the camera can be there:
-/// when tracking is lost, and to join parts of the graph.
+/// When a recognised keyframe is believed where the graph does not say where the camera is:
+/// tracking is lost, or the keyframe is of another submap. There may be several places that look
+/// the same.
 struct RelocalizationOptions {
-  double min_likely_coverage = 0.6;
-  double min_likeness = 3.2;
-  double lost_speed = 1.5;
-  double lost_angular_speed = 1;
-  double rival_share = 0.9;
+  /// Number of frames in a row that must agree before a lost camera goes on [frames]. One frame may
+  /// show an ambiguous place; 3 take a tenth of a second. Raise it in buildings that repeat.
   int frames = 3;
+  /// Number of keyframes that must agree before two submaps are joined [keyframes]. They are a
+  /// quarter of a view apart, so that 3 cover some distance. Raise it in buildings that repeat.
   int join_keyframes = 3;
-  double max_disagreement_translation = 0.2;
-  double max_disagreement_rotation = 0.1;
+  double min_coverage = 0.6;   ///< least share of image cells that agree, of those both should see
+  double min_agreement = 3.2;  ///< least agreement of images and clouds far from the last pose
+  double lost_speed = 1.5;     ///< standard deviation of the speed of a lost camera [m/s]
+  double lost_angular_speed = 1;  ///< standard deviation of its angular speed [rad/s]
+  double rival_share = 0.9;       ///< coverage at which a second place is as good as the first
+  double max_disagreement_translation = 0.2;  ///< of keyframes that agree [m]
+  double max_disagreement_rotation = 0.1;     ///< of keyframes that agree [rad]
 };
 
-/// Whether and how places that were seen before are recognised by their images.
+/// Whether and how keyframes are recognised by their images.
 struct LoopClosingOptions {
-  bool enabled = false;
+  /// True to look for keyframes that show the place of the newest one, wherever the graph has it,
+  /// and for lost cameras. Costs about a third of the mapping time. The program's --mode sets it.
+  bool enabled = true;
   LoopOptions detection;
-  PairOptions pair = {.skip_scales = 0,
-                      .min_overlap = 0.5,
+  PairOptions pair = {.min_overlap = 0.5,
+                      .skip_scales = 0,
                       .max_round_trip_translation = 0.02,
                       .max_round_trip_rotation = 0.02};
+  /// Largest error of a loop in the optimised graph [standard deviations]; a loop with more is
+  /// taken back. Lower it where false loops are a worse problem than drift.
   double max_residual = 8;
   RelocalizationOptions relocalization;
 };
 
+/// All options of Slam.
 struct SlamOptions {
+  TrackerOptions tracker;
+  /// Where the work on the map is done. kPipelined shortens track() where a second core is free;
+  /// results do not depend on it.
   Schedule schedule = Schedule::kInline;
+  /// Number of keyframes after which the answers of track() contain what the map has learnt from
+  /// one [keyframes]. Fixed, so that no result depends on timing. 2 give the map the time between
+  /// two keyframes; 0 makes track() wait.
   int correction_delay = 2;
+  /// The newest part of the graph is optimised whenever so many keyframes were added [keyframes].
   int optimize_every = 5;
-  double noise_translation = 0.004;
-  double noise_rotation = 0.004;
   ProximityOptions proximity;
   LoopClosingOptions loops;
   OptimizerOptions optimizer = {.loss = RobustLoss::kCauchy};
+  double noise_translation = 0.004;  ///< see describe() [m]
+  double noise_rotation = 0.004;     ///< see describe() [rad]
 };
 
 [[nodiscard]] OptionSet describe(PairOptions& options);

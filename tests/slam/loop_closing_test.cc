@@ -11,17 +11,17 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/slam/slam.h"
-#include "cvo_slam/tests/slam/map_of_places.h"
+#include "cvo_slam/tests/slam/mapper_walk.h"
 
 namespace cvo_slam {
 namespace {
 
 using testing::HasSubstr;
 
-class LoopsOfAMap : public MapOfPlaces {};
+class LoopsOfAMapper : public MapperWalk {};
 
-TEST_F(LoopsOfAMap, APlaceSeenBeforeIsAnEdge) {
-  make_map(loop_options());
+TEST_F(LoopsOfAMapper, APlaceSeenBeforeIsAnEdge) {
+  make_mapper(loop_options());
   walk(6);
   add(place(1), pose(place(1)));
   const auto loops = loops_of_newest();
@@ -34,42 +34,42 @@ TEST_F(LoopsOfAMap, APlaceSeenBeforeIsAnEdge) {
   }
   EXPECT_GT(loops[0].score, 0);
   EXPECT_GT(loops[0].overlap, 0.9) << "the same image";
-  const PoseGraphEdge& edge = map_->graph().edges().back();
+  const PoseGraphEdge& edge = mapper_->graph().edges().back();
   EXPECT_EQ(edge.kind, EdgeKind::kLoop);
   EXPECT_TRUE(edge.robust);
-  EXPECT_EQ(map_->statistics().full_solves, 1);
+  EXPECT_EQ(mapper_->statistics().full_solves, 1);
 }
 
-TEST_F(LoopsOfAMap, ALookAlikeIsRefusedByTheGraph) {
-  make_map(loop_options());
+TEST_F(LoopsOfAMapper, AnAmbiguousPlaceIsRefusedByTheGraph) {
+  make_mapper(loop_options());
   walk(6);
-  add(place(1), look_alike(place(1)));
+  add(place(1), same_looking(place(1)));
   const auto loops = loops_of_newest();
   ASSERT_FALSE(loops.empty());
   EXPECT_GT(loops[0].inliers, 25U) << "the images say that it is the same place";
   EXPECT_EQ(accepted(loops), 0U);
   EXPECT_THAT(loops[0].reason, HasSubstr("standard deviations from the graph"));
   EXPECT_NEAR(loops[0].correction_translation, kCorridor, 0.1);
-  EXPECT_EQ(map_->graph().edges().size(), map_->graph().nodes().size() - 1);
-  EXPECT_EQ(map_->statistics().full_solves, 0);
+  EXPECT_EQ(mapper_->graph().edges().size(), mapper_->graph().nodes().size() - 1);
+  EXPECT_EQ(mapper_->statistics().full_solves, 0);
 }
 
-TEST_F(LoopsOfAMap, WhatTheOptimisedGraphContradictsIsTakenBack) {
+TEST_F(LoopsOfAMapper, WhatTheOptimisedGraphContradictsIsTakenBack) {
   SlamOptions options = loop_options();
   options.loops.pair.max_error = 1e6;  // so that it becomes an edge at all
-  make_map(options);
+  make_mapper(options);
   walk(6);
   add(place(1), pose(place(1)));
   ASSERT_EQ(accepted(loops_of_newest()), 1U);
-  add(place(2), look_alike(place(2)));
+  add(place(2), same_looking(place(2)));
   const auto wrong = loops_of_newest();
   ASSERT_FALSE(wrong.empty());
   EXPECT_THAT(wrong[0].reason, HasSubstr("taken back"));
-  EXPECT_EQ(accepted(loops_of(map_->candidates())), 1U) << "the right one stays";
-  EXPECT_EQ(map_->graph().edges().size(), map_->graph().nodes().size());
+  EXPECT_EQ(accepted(loops_of(mapper_->candidates())), 1U) << "the right one stays";
+  EXPECT_EQ(mapper_->graph().edges().size(), mapper_->graph().nodes().size());
   // Links and images are exact but for what CVO finds in them, well below a pixel at 2 m.
   for (std::size_t i = 0; i < poses_.size(); ++i) {
-    const SE3& T_world_camera = map_->graph().nodes()[i].T_world_node;
+    const SE3& T_world_camera = mapper_->graph().nodes()[i].T_world_node;
     EXPECT_LT((T_world_camera.translation() - poses_[i].translation()).norm(), 0.008) << i;
   }
 }
@@ -81,7 +81,7 @@ constexpr std::size_t kFrames = 2 * kTurn + 1;
 class LoopsOfAWalk : public testing::Test {
  protected:
   LoopsOfAWalk() {
-    tracker_.keyframe = {.min_overlap = 0, .max_translation = 0.05, .max_rotation = 0.06};
+    slam_.tracker.keyframe = {.min_overlap = 0, .max_translation = 0.05, .max_rotation = 0.06};
   }
 
   static std::size_t place(std::size_t index) { return index <= kTurn ? index : 2 * kTurn - index; }
@@ -92,14 +92,13 @@ class LoopsOfAWalk : public testing::Test {
   static void TearDownTestSuite() { frames_.clear(); }
 
   [[nodiscard]] Slam run() const {
-    Slam slam(small_camera(320, 240), tracker_, slam_);
+    Slam slam(small_camera(320, 240), slam_);
     for (const RgbdFrame& frame : frames_) slam.track(frame);
     slam.finish();
     return slam;
   }
 
   static inline std::vector<RgbdFrame> frames_;
-  TrackerOptions tracker_ = tracker_test_options();
   SlamOptions slam_ = loop_options();
 };
 
@@ -149,7 +148,7 @@ TEST_F(LoopsOfAWalk, AreTheSameAgainWithTwoThreadsAndPipelined) {
       EXPECT_EQ(a[i].reason, b[i].reason);
     }
   };
-  tracker_.threads = slam_.optimizer.threads = 2;
+  slam_.tracker.threads = slam_.optimizer.threads = 2;
   expect_equal(run());
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());
@@ -159,7 +158,7 @@ TEST_F(LoopsOfAWalk, AreTheSameAgainWithTwoThreadsAndPipelined) {
 TEST_F(LoopsOfAWalk, ImagesNeedNotOutliveTheCall) {
   const Slam first = run();
   slam_.schedule = Schedule::kPipelined;
-  Slam slam(small_camera(320, 240), tracker_, slam_);
+  Slam slam(small_camera(320, 240), slam_);
   for (const RgbdFrame& original : frames_) {
     RgbdFrame frame = original;
     frame.color = original.color.clone();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is done where the graph does not say where a camera can be: parts are joined, and lost
+// What is done where the graph does not say where a camera can be: submaps are joined, and lost
 // cameras are found.
 #include <algorithm>
 #include <cmath>
@@ -14,43 +14,43 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/slam/slam.h"
-#include "cvo_slam/tests/slam/map_of_places.h"
+#include "cvo_slam/tests/slam/mapper_walk.h"
 
 namespace cvo_slam {
 namespace {
 
 using testing::HasSubstr;
 
-class PartsOfAMap : public MapOfPlaces {
+class SubmapsOfAMapper : public MapperWalk {
  protected:
-  PartsOfAMap() {
+  SubmapsOfAMapper() {
     SlamOptions options = loop_options();
     options.loops.detection.candidates.min_score = 0.7;  // or the other wall is of the same group
-    make_map(options);
+    make_mapper(options);
   }
 
-  /// Keyframes along the walk in the world of another segment.
-  void walk_again(int first, int end, int segment) {
-    for (int i = first; i < end; ++i) add(place(i), T_elsewhere_ * pose(place(i)), segment);
+  /// Keyframes along the walk in the world of another submap.
+  void walk_again(int first, int end, int submap) {
+    for (int i = first; i < end; ++i) add(place(i), T_elsewhere_ * pose(place(i)), submap);
   }
-  [[nodiscard]] std::size_t parts() const {
-    const auto components = map_->graph().components();
+  [[nodiscard]] std::size_t submaps() const {
+    const auto components = mapper_->graph().components();
     return 1 + *std::max_element(components.begin(), components.end());
   }
   void expect_pose(std::size_t node, const SE3& expected) const {
-    const SE3 error = expected.inverse() * map_->graph().nodes()[node].T_world_node;
+    const SE3 error = expected.inverse() * mapper_->graph().nodes()[node].T_world_node;
     EXPECT_LT(error.translation().norm(), 0.008) << node << ": a pixel at 2 m";
     EXPECT_LT(error.angle(), 0.004) << node << ": a pixel";
   }
 
   /// A walk, then other places, then places that look like the first ones.
-  void walk_past_look_alikes() {
+  void walk_past_ambiguous_places() {
     walk(5);
     for (int i = 0; i < 4; ++i) add(kElsewhere + place(i), pose(kElsewhere + place(i)));
-    for (int i = 0; i < 5; ++i) add(place(i), look_alike(place(i)));
+    for (int i = 0; i < 5; ++i) add(place(i), same_looking(place(i)));
   }
   [[nodiscard]] bool has_reason(const std::string& text) const {
-    const auto& candidates = map_->candidates();
+    const auto& candidates = mapper_->candidates();
     return std::any_of(candidates.begin(), candidates.end(), [&](const LoopCandidate& candidate) {
       return candidate.reason.find(text) != std::string::npos;
     });
@@ -60,89 +60,89 @@ class PartsOfAMap : public MapOfPlaces {
   SE3 T_elsewhere_ = SE3(so3_exp({0.3, -1, 0.2}), {4, -3, 2});
 };
 
-TEST_F(PartsOfAMap, AreJoinedWhereThreeKeyframesAgree) {
+TEST_F(SubmapsOfAMapper, AreJoinedWhereThreeKeyframesAgree) {
   walk(6);
   walk_again(1, 3, 1);
-  EXPECT_EQ(parts(), 2U) << "two are not enough";
+  EXPECT_EQ(submaps(), 2U) << "two are not enough";
   ASSERT_FALSE(loops_of_newest().empty());
   EXPECT_THAT(loops_of_newest()[0].reason, HasSubstr("waits for keyframes that agree"));
-  EXPECT_EQ(map_->part_of(1), 1);
+  EXPECT_EQ(mapper_->map().submaps.name_of(1), 1);
   walk_again(3, 5, 1);
-  EXPECT_EQ(parts(), 1U);
-  EXPECT_EQ(map_->part_of(1), 0);
-  EXPECT_GE(accepted(loops_of(map_->candidates())), 3U);
+  EXPECT_EQ(submaps(), 1U);
+  EXPECT_EQ(mapper_->map().submaps.name_of(1), 0);
+  EXPECT_GE(accepted(loops_of(mapper_->candidates())), 3U);
   for (int i = 1; i < 5; ++i) expect_pose(static_cast<std::size_t>(5 + i), pose(place(i)));
 }
 
-TEST_F(PartsOfAMap, OnesThatLookLikeTwoPlacesAreNotJoined) {
-  walk_past_look_alikes();
-  ASSERT_EQ(accepted(loops_of(map_->candidates())), 0U);
+TEST_F(SubmapsOfAMapper, OnesThatLookLikeTwoPlacesAreNotJoined) {
+  walk_past_ambiguous_places();
+  ASSERT_EQ(accepted(loops_of(mapper_->candidates())), 0U);
   walk_again(0, 5, 1);
-  EXPECT_EQ(parts(), 2U);
-  EXPECT_TRUE(has_reason("shows as much of it"));
+  EXPECT_EQ(submaps(), 2U);
+  EXPECT_TRUE(has_reason("ambiguous place"));
 }
 
-// The segment begins at a place that looks like one that is known, and goes on to another one.
-TEST_F(PartsOfAMap, JoinedAtALookAlikeAreJoinedAgainWhenMoreSaysOtherwise) {
+// The submap begins at a place that looks like a known one, and goes on to another one.
+TEST_F(SubmapsOfAMapper, JoinedAtAnAmbiguousPlaceAreJoinedAgainWhenMoreSaysOtherwise) {
   walk(5);
   for (int i = 0; i < 6; ++i) add(kElsewhere + place(i), pose(kElsewhere + place(i)));
   const std::size_t first = poses_.size();
-  for (int i = 0; i < 3; ++i) add(place(i), look_alike(place(i)), 1);
-  EXPECT_EQ(parts(), 1U) << "three agree";
+  for (int i = 0; i < 3; ++i) add(place(i), same_looking(place(i)), 1);
+  EXPECT_EQ(submaps(), 1U) << "three agree";
   for (int i = 0; i < 5; ++i) add(kElsewhere + place(i), pose(kElsewhere + place(i)), 1);
-  EXPECT_TRUE(has_reason("say that its segment is elsewhere"));
-  EXPECT_EQ(parts(), 1U);
+  EXPECT_TRUE(has_reason("say that its submap is elsewhere"));
+  EXPECT_EQ(submaps(), 1U);
   for (int i = 0; i < 3; ++i)
-    expect_pose(first + static_cast<std::size_t>(i), look_alike(place(i)));
+    expect_pose(first + static_cast<std::size_t>(i), same_looking(place(i)));
 }
 
-TEST_F(PartsOfAMap, FarFromWhereTheCameraWasLostALikenessMustBeStrong) {
+TEST_F(SubmapsOfAMapper, FarFromWhereTheCameraWasLostALikenessMustBeStrong) {
   SlamOptions options = loop_options();
-  options.loops.relocalization.min_likeness = 10;
-  make_map(options);
+  options.loops.relocalization.min_agreement = 10;
+  make_mapper(options);
   walk(6);
   add(place(1) + 2, T_elsewhere_, 1);
   ASSERT_FALSE(loops_of_newest().empty());
   EXPECT_THAT(loops_of_newest()[0].reason, HasSubstr("so far from where the camera was lost"));
 }
 
-TEST_F(PartsOfAMap, NearWhereTheCameraWasLostItNeedNot) {
+TEST_F(SubmapsOfAMapper, NearWhereTheCameraWasLostItNeedNot) {
   SlamOptions options = loop_options();
-  options.loops.relocalization.min_likeness = 10;
+  options.loops.relocalization.min_agreement = 10;
   options.loops.detection.candidates.min_gap = 0;
-  make_map(options);
+  make_mapper(options);
   walk(6);
   add(place(5) - 1, pose(place(5)), 1);  // a frame later and a frame's way off
   ASSERT_FALSE(loops_of_newest().empty());
   EXPECT_THAT(loops_of_newest()[0].reason, HasSubstr("waits for keyframes that agree"));
 }
 
-TEST_F(PartsOfAMap, ALostImageIsFound) {
+TEST_F(SubmapsOfAMapper, ALostImageIsFound) {
   walk(6);
   const RgbdFrame image = walk_.frame(100, place(2) + 2);
-  const auto found = map_->relocalize(image, points_of(image));
+  const auto found = mapper_->relocalize(image, points_of(image));
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->part, 0);
+  EXPECT_EQ(found->submap, 0);
   const SE3 error = pose(place(2) + 2).inverse() * found->T_world_camera;
   EXPECT_LT(error.translation().norm(), 0.008) << "a pixel at 2 m";
   EXPECT_LT(error.angle(), 0.004) << "a pixel";
-  EXPECT_TRUE(map_->candidates().back().relocalization);
-  EXPECT_FALSE(map_->candidates().back().accepted) << "before others agree";
+  EXPECT_TRUE(mapper_->candidates().back().relocalization);
+  EXPECT_FALSE(mapper_->candidates().back().accepted) << "before others agree";
 }
 
-TEST_F(PartsOfAMap, ALostImageOfNowhereOrNothingIsNot) {
+TEST_F(SubmapsOfAMapper, ALostImageOfNowhereOrNothingIsNot) {
   walk(6);
   RgbdFrame image = walk_.frame(100, kElsewhere);
-  EXPECT_FALSE(map_->relocalize(image, points_of(image)).has_value());
+  EXPECT_FALSE(mapper_->relocalize(image, points_of(image)).has_value());
   image.color.setTo(0);
-  EXPECT_FALSE(map_->relocalize(image, points_of(image)).has_value());
+  EXPECT_FALSE(mapper_->relocalize(image, points_of(image)).has_value());
 }
 
-TEST_F(PartsOfAMap, ALostImageThatLooksLikeTwoPlacesIsNot) {
-  walk_past_look_alikes();
+TEST_F(SubmapsOfAMapper, ALostImageThatLooksLikeTwoPlacesIsNot) {
+  walk_past_ambiguous_places();
   const RgbdFrame image = walk_.frame(100, place(2));
-  EXPECT_FALSE(map_->relocalize(image, points_of(image)).has_value());
-  EXPECT_TRUE(has_reason("shows as much of it"));
+  EXPECT_FALSE(mapper_->relocalize(image, points_of(image)).has_value());
+  EXPECT_TRUE(has_reason("ambiguous place"));
 }
 
 /// A camera walks, is carried to another wall and back, and walks on.
@@ -159,7 +159,7 @@ class KidnappedCamera : public testing::Test {
   }
 
   KidnappedCamera() {
-    tracker_.keyframe = {.min_overlap = 0, .max_translation = 0.05, .max_rotation = 0.06};
+    slam_.tracker.keyframe = {.min_overlap = 0, .max_translation = 0.05, .max_rotation = 0.06};
   }
   static void SetUpTestSuite() {
     const SyntheticFrames walk{small_camera(320, 240)};
@@ -176,7 +176,7 @@ class KidnappedCamera : public testing::Test {
     std::vector<Keyframe> keyframes;
   };
   [[nodiscard]] Run run() const {
-    Slam slam(small_camera(320, 240), tracker_, slam_);
+    Slam slam(small_camera(320, 240), slam_);
     Run run;
     for (const RgbdFrame& frame : frames_) run.records.push_back(slam.track(frame));
     slam.finish();
@@ -194,7 +194,6 @@ class KidnappedCamera : public testing::Test {
   }
 
   static inline std::vector<RgbdFrame> frames_;
-  TrackerOptions tracker_ = tracker_test_options();
   SlamOptions slam_ = loop_options();
 };
 
@@ -202,13 +201,13 @@ TEST_F(KidnappedCamera, IsFoundWithinTenFrames) {
   const Run result = run();
   std::size_t found = kBack;
   while (found < kFrames && (result.records[found].status == TrackingStatus::kLost ||
-                             result.records[found].segment != 0)) {
+                             result.records[found].submap != 0)) {
     ++found;
   }
   EXPECT_LT(found, kBack + 10);
   for (std::size_t i = found; i < kFrames; ++i) {
     ASSERT_EQ(result.records[i].status, TrackingStatus::kTracked) << i;
-    EXPECT_EQ(result.records[i].segment, 0) << i;
+    EXPECT_EQ(result.records[i].submap, 0) << i;
     expect_near_truth(i, result.records[i].T_world_camera);
   }
 }
@@ -217,7 +216,7 @@ TEST_F(KidnappedCamera, IsNotFoundWhereItHasNotBeen) {
   const Run result = run();
   for (std::size_t i = kCarriedOff; i < kBack; ++i) {
     const FrameRecord& record = result.records[i];
-    EXPECT_TRUE(record.status == TrackingStatus::kLost || record.segment != 0) << i;
+    EXPECT_TRUE(record.status == TrackingStatus::kLost || record.submap != 0) << i;
   }
 }
 
@@ -252,7 +251,7 @@ TEST_F(KidnappedCamera, GivesTheSameAgainWithTwoThreadsAndPipelined) {
       EXPECT_EQ(first.candidates[i].reason, other.candidates[i].reason);
     }
   };
-  tracker_.threads = slam_.optimizer.threads = 2;
+  slam_.tracker.threads = slam_.optimizer.threads = 2;
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());
 }
@@ -298,7 +297,7 @@ class BlindedCamera : public testing::Test {
     return frame;
   }
   static Trajectory run(Blind blind) {
-    Slam slam(small_camera(320, 240), tracker_test_options(), loop_options());
+    Slam slam(small_camera(320, 240), loop_options());
     for (std::size_t i = 0; i < kFrames; ++i) {
       const bool is_blind = blind != Blind::kNot && i >= kStop && i < kOn;
       slam.track(is_blind ? spoiled(frames_[i], blind) : frames_[i]);

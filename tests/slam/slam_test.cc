@@ -30,8 +30,10 @@ std::size_t place(std::size_t index) { return index <= kTurn ? index : 2 * kTurn
 class SlamOnSyntheticFrames : public testing::Test {
  protected:
   SlamOnSyntheticFrames() {
+    slam_.tracker = tracker_test_options();
+    slam_.loops.enabled = false;
     // Keyframes so near to one another that this short walk makes a graph of them.
-    tracker_.keyframe = {.min_overlap = 0, .max_translation = 0.05, .max_rotation = 0.06};
+    slam_.tracker.keyframe = {.min_overlap = 0, .max_translation = 0.05, .max_rotation = 0.06};
     slam_.proximity.min_gap = 2;
     slam_.optimize_every = 3;
   }
@@ -43,7 +45,7 @@ class SlamOnSyntheticFrames : public testing::Test {
   }
   static void TearDownTestSuite() { frames_.clear(); }
 
-  [[nodiscard]] Slam make_slam() const { return Slam(small_camera(320, 240), tracker_, slam_); }
+  [[nodiscard]] Slam make_slam() const { return Slam(small_camera(320, 240), slam_); }
 
   static void track(Slam& slam, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) slam.track(frames_[i]);
@@ -77,7 +79,6 @@ class SlamOnSyntheticFrames : public testing::Test {
   }
 
   static inline std::vector<RgbdFrame> frames_;
-  TrackerOptions tracker_ = tracker_test_options();
   SlamOptions slam_;
 };
 
@@ -141,7 +142,7 @@ TEST_F(SlamOnSyntheticFrames, SameResultAgainWithTwoThreadsAndPipelined) {
     EXPECT_EQ(first.loop_candidates().size(), other.loop_candidates().size());
   };
   expect_equal(run());
-  tracker_.threads = slam_.optimizer.threads = 2;
+  slam_.tracker.threads = slam_.optimizer.threads = 2;
   expect_equal(run());
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());
@@ -169,12 +170,12 @@ TEST_F(SlamOnSyntheticFrames, FramesBetweenTwoKeyframesShareTheirCorrection) {
   };
   double largest = 0;
   for (const Keyframe& next : slam.keyframes()) {
-    const std::size_t keyframe = records[next.frame].keyframe;
-    const Vector6 whole = correction(keyframe, next.frame);
-    for (std::size_t i = keyframe + 1; i < next.frame; ++i) {
+    const std::size_t keyframe = records[next.number].keyframe;
+    const Vector6 whole = correction(keyframe, next.number);
+    for (std::size_t i = keyframe + 1; i < next.number; ++i) {
       const double share =
           static_cast<double>(i - keyframe) /
-          static_cast<double>(next.frame - keyframe);  // of the time, at a fixed rate
+          static_cast<double>(next.number - keyframe);  // of the time, at a fixed rate
       EXPECT_LT((correction(keyframe, i) - share * whole).norm(), 1e-9) << i;
       largest = std::max(largest, share * whole.norm());
     }
@@ -191,11 +192,11 @@ TEST_F(SlamOnSyntheticFrames, FinishMayBeCalledAgainAndTrackingMayGoOn) {
     const Trajectory half = slam.trajectory();
     slam.finish();
     expect_same(slam.trajectory(), half);
-    EXPECT_EQ(slam.graph_statistics().full_solves, 1);
+    EXPECT_EQ(slam.statistics().full_solves, 1);
     track(slam, kTurn, kFrames);
     EXPECT_EQ(slam.trajectory().poses.size(), kFrames) << "before the map has all keyframes";
     slam.finish();
-    EXPECT_EQ(slam.graph_statistics().full_solves, 2);
+    EXPECT_EQ(slam.statistics().full_solves, 2);
     EXPECT_LT(error(slam.trajectory()), 0.008) << "a pixel at 2 m";
   }
 }
@@ -213,16 +214,16 @@ TEST_F(SlamOnSyntheticFrames, LostFramesStayLost) {
   EXPECT_THAT(slam.trajectory().lost[0].reason, testing::HasSubstr("0 points"));
 }
 
-TEST_F(SlamOnSyntheticFrames, SegmentsAreNotConnected) {
-  tracker_.lost.restart_after = 2;
+TEST_F(SlamOnSyntheticFrames, SubmapsAreNotConnected) {
+  slam_.tracker.lost.restart_after = 2;
   const SyntheticFrames walk{small_camera(320, 240)};
   constexpr std::size_t kElsewhere = 150;  // another wall
   Slam slam = make_slam();
   track(slam, 0, 10);
   for (std::size_t i = 10; i < 20; ++i) slam.track(walk.frame(i, kElsewhere + i));
   slam.finish();
-  EXPECT_EQ(slam.keyframes().front().segment, 0);
-  EXPECT_EQ(slam.keyframes().back().segment, 1);
+  EXPECT_EQ(slam.keyframes().front().submap, 0);
+  EXPECT_EQ(slam.keyframes().back().submap, 1);
   const auto components = slam.pose_graph().components();
   EXPECT_EQ(components.back(), 1U);
   const Trajectory trajectory = slam.trajectory();

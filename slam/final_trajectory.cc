@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "cvo_slam/slam/final_trajectory_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+SE3 final_pose(const TrackedPose& frame, const FrameHistory& history, const MapState& map) {
+  const PoseGraph& graph = map.graph.graph();
+  const auto pose_of = [&graph](std::size_t keyframe) {
+    return graph.nodes()[graph.index_of(node_id(keyframe))].T_world_node;
+  };
+  if (graph.has_node(node_id(frame.frame))) return pose_of(frame.frame);
+  if (!graph.has_node(node_id(frame.keyframe))) return frame.T_world_camera_online;
+  const SE3 T_world_keyframe = pose_of(frame.keyframe);
+  const SE3 T_world_camera = T_world_keyframe * frame.T_keyframe_camera;
+  const TrackedPose* const next = history.next_keyframe(frame);
+  if (next == nullptr) return T_world_camera.normalized();
+  const SE3 T_world_next_tracked = T_world_keyframe * next->T_keyframe_camera;
+  const SE3 correction = T_world_next_tracked.inverse() * pose_of(next->frame);
+  const Timestamp begin = history.frame(frame.keyframe).stamp;
+  const double share = seconds_between(begin, frame.stamp) / seconds_between(begin, next->stamp);
+  return (T_world_camera * SE3::exp(share * correction.log())).normalized();
+}
+
+FrameRecord record_of(const TrackedPose& frame, int submap, const SE3& T_world_camera) {
+  FrameRecord record;
+  record.index = frame.frame;
+  record.stamp = frame.stamp;
+  record.status = frame.status;
+  record.reason = frame.reason;
+  record.submap = submap;
+  record.T_world_camera = T_world_camera;
+  return record;
+}
+
+}  // namespace
+
+const TrackedPose& FrameHistory::frame(std::size_t number) const {
+  return *std::lower_bound(
+      frames_.begin(), frames_.end(), number,
+      [](const TrackedPose& frame, std::size_t index) { return frame.frame < index; });
+}
+
+const TrackedPose* FrameHistory::next_keyframe(const TrackedPose& frame) const {
+  const auto next = std::upper_bound(keyframes_.begin(), keyframes_.end(), frame.frame);
+  if (next == keyframes_.end()) return nullptr;
+  const TrackedPose& keyframe = this->frame(*next);
+  return keyframe.keyframe == frame.keyframe ? &keyframe : nullptr;
+}
+
+Trajectory online_trajectory(const FrameHistory& history) {
+  std::vector<FrameRecord> records;
+  for (const TrackedPose& frame : history.frames()) {
+    records.push_back(record_of(frame, frame.submap_online, frame.T_world_camera_online));
+  }
+  return to_trajectory(records);
+}
+
+Trajectory final_trajectory(const FrameHistory& history, const MapState& map) {
+  std::vector<FrameRecord> records;
+  for (const TrackedPose& frame : history.frames()) {
+    const bool is_tracked = frame.status == TrackingStatus::kTracked;
+    records.push_back(record_of(frame, map.submaps.name_of(frame.tracked_submap),
+                                is_tracked ? final_pose(frame, history, map) : SE3()));
+  }
+  return to_trajectory(records);
+}
+
+}  // namespace cvo_slam

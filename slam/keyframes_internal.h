@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "cvo_slam/core/point_cloud.h"
+#include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/core/timestamp.h"
+
+namespace cvo_slam {
+
+/// The node of a keyframe in the pose graph and in files: its number.
+[[nodiscard]] inline NodeId node_id(std::size_t number) { return static_cast<NodeId>(number); }
+
+/// A keyframe of the map, without its pose, which the graph owns.
+struct StoredKeyframe {
+  std::size_t number = 0;  ///< the index of its frame; a keyframe keeps it for life
+  Timestamp stamp;
+  /// The submap in which the tracker made it (FrameRecord::submap). Submaps that were joined since
+  /// have one name more: see Submaps.
+  int tracked_submap = 0;
+  std::shared_ptr<const PointCloud> cloud;
+  double reach = 0;  ///< distance of the farthest point of the cloud from the camera [m]
+};
+
+/// The keyframes of the map in the order in which they were added. A keyframe's position here is
+/// also the index of its node in the pose graph.
+class KeyframeStore {
+ public:
+  /// Adds a keyframe and measures its reach.
+  void add(StoredKeyframe keyframe);
+
+  [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
+  [[nodiscard]] bool empty() const { return keyframes_.empty(); }
+  [[nodiscard]] const StoredKeyframe& operator[](std::size_t position) const {
+    return keyframes_[position];
+  }
+  [[nodiscard]] const StoredKeyframe& newest() const { return keyframes_.back(); }
+  /// The position of a keyframe that is in the store.
+  [[nodiscard]] std::size_t position_of(std::size_t number) const { return positions_.at(number); }
+  /// Memory of the keyframes' points [bytes].
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::vector<StoredKeyframe> keyframes_;
+  std::unordered_map<std::size_t, std::size_t> positions_;  // by number
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace cvo_slam

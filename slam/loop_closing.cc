@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/slam/ambiguity_internal.h"
+#include "cvo_slam/slam/loop_closing_internal.h"
+#include "cvo_slam/slam/proximity_internal.h"
+
+namespace cvo_slam {
+
+LoopCandidate candidate_row(EdgeKind kind, std::size_t older, std::size_t newer,
+                            const PairVerdict& verdict) {
+  LoopCandidate row;
+  row.kind = kind;
+  row.from = older;
+  row.to = newer;
+  row.overlap = verdict.overlap;
+  row.cos_theta = verdict.cos_theta;
+  row.round_trip_translation = verdict.round_trip_translation;
+  row.round_trip_rotation = verdict.round_trip_rotation;
+  row.correction_translation = verdict.correction_translation;
+  row.correction_rotation = verdict.correction_rotation;
+  row.error = verdict.error;
+  row.accepted = verdict.measurement.has_value();
+  row.reason = verdict.reason;
+  return row;
+}
+
+LoopCandidate candidate_row(const LoopMatch& match, const PairVerdict& verdict) {
+  LoopCandidate row = candidate_row(EdgeKind::kLoop, match.keyframe, match.query, verdict);
+  row.score = match.score;
+  row.normalized_score = match.normalized_score;
+  row.inliers = match.verification.inliers;
+  row.pixels = match.verification.pixels;
+  return row;
+}
+
+LoopVerdict rejected(const LoopMatch& match, const std::string& reason) {
+  LoopVerdict verdict;
+  verdict.row = candidate_row(match, PairVerdict::rejected(reason));
+  return verdict;
+}
+
+PoseGraphEdge edge_of(EdgeKind kind, std::size_t older, std::size_t newer,
+                      const PairMeasurement& measurement) {
+  const bool may_be_wrong = kind != EdgeKind::kOdometry;
+  return {node_id(older),
+          node_id(newer),
+          measurement.T_older_newer,
+          edge_information(measurement.T_older_newer, measurement.information),
+          kind,
+          may_be_wrong};
+}
+
+LoopClosing::LoopClosing(const Camera& camera, const RegistrationOptions& registration, int threads,
+                         const LoopClosingOptions& options, const RegistrationNoise& noise,
+                         const std::shared_ptr<const Vocabulary>& vocabulary)
+    : camera_(camera.color),
+      options_(options),
+      detector_(camera, options.detection, vocabulary),
+      registration_(registration, threads, options.pair, noise) {}
+
+std::vector<LoopMatch> LoopClosing::recognize(const RgbdFrame& images, const PointCloud& cloud) {
+  const auto appearance = detector_.extract(images);
+  std::vector<LoopMatch> matches = detector_.find_loops(*appearance);
+  detector_.add(appearance);
+  if (!matches.empty()) registration_.set_newer(cloud);
+  return matches;
+}
+
+LoopVerdict LoopClosing::judge(const std::vector<LoopMatch>& matches, std::size_t index,
+                               const MapState& map, PathSearch& paths) {
+  const LoopMatch& match = matches[index];
+  const std::size_t older = map.keyframes.position_of(match.keyframe);
+  const std::size_t newest = map.keyframes.size() - 1;
+  const bool is_connected = map.submap_at(older) == map.submap_at(newest);
+  LoopVerdict verdict;
+  if (!match.verification.accepted) {
+    verdict = rejected(match, match.verification.reason);
+  } else if (map.graph.graph().has_edge(node_id(match.keyframe), node_id(match.query))) {
+    verdict = rejected(match, "joined already, as near keyframes");
+  } else if (is_connected) {
+    verdict = judge_by_prior(matches, index, map, paths);
+  } else {
+    verdict = judge_by_images(matches, index, map.keyframes.newest().stamp, map);
+    if (verdict.submap_link)
+      verdict.row.reason = "of another submap: waits for keyframes that agree";
+  }
+  if (is_connected) {
+    verdict.row.expected_overlap =
+        mutual_overlap(*map.keyframes[older].cloud, *map.keyframes[newest].cloud,
+                       map.graph.pose(older).inverse() * map.graph.pose(newest), camera_);
+  }
+  return verdict;
+}
+
+/// Judges a match whose keyframe the graph connects with the newest one.
+LoopVerdict LoopClosing::judge_by_prior(const std::vector<LoopMatch>& matches, std::size_t index,
+                                        const MapState& map, PathSearch& paths) {
+  const LoopMatch& match = matches[index];
+  const std::size_t older = map.keyframes.position_of(match.keyframe);
+  const auto covariance = paths.covariance_to(older);
+  const PairPrior prior =
+      graph_prior(map.graph, older, map.keyframes.size() - 1, covariance.value());
+  const PairVerdict pair = registration_.verify(
+      *map.keyframes[older].cloud, match.verification.T_a_b, &prior, map.usual_cos_theta.mean());
+  LoopVerdict verdict{candidate_row(match, pair), pair.measurement, {}, {}};
+  // Where the way there leads through another recognised keyframe, it is the graph that may be
+  // wrong.
+  const bool crosses_submaps =
+      map.keyframes[older].tracked_submap != map.keyframes.newest().tracked_submap;
+  if (pair.error > options_.pair.max_error && crosses_submaps) {
+    verdict.contradiction =
+        judge_by_images(matches, index, map.keyframes.newest().stamp, map).submap_link;
+  }
+  return verdict;
+}
+
+/// Judges a match whose keyframe the graph does not connect with the image: a measurement that is
+/// believed as far as two images go.
+LoopVerdict LoopClosing::judge_by_images(const std::vector<LoopMatch>& matches, std::size_t index,
+                                         const Timestamp& now, const MapState& map) {
+  const LoopMatch& match = matches[index];
+  const RelocalizationOptions& options = options_.relocalization;
+  const std::string reason = ambiguity_of_images(matches, index, map, options);
+  if (!reason.empty()) return rejected(match, reason);
+  const std::size_t older = map.keyframes.position_of(match.keyframe);
+  const PairVerdict pair = registration_.verify(
+      *map.keyframes[older].cloud, match.verification.T_a_b, nullptr, map.usual_cos_theta.mean());
+  LoopVerdict verdict{candidate_row(match, pair), {}, pair.measurement, {}};
+  verdict.row.accepted = false;
+  if (!pair.measurement) return verdict;
+  verdict.row.reason = ambiguity_of_registration(match, pair.cos_theta, now, map, options);
+  if (!verdict.row.reason.empty()) verdict.submap_link.reset();
+  return verdict;
+}
+
+std::vector<LoopMatch> LoopClosing::recognize_lost(const RgbdFrame& images,
+                                                   const PointCloud& cloud) {
+  std::vector<LoopMatch> matches = detector_.relocalize(*detector_.extract(images));
+  const bool any = std::any_of(matches.begin(), matches.end(),
+                               [](const LoopMatch& match) { return match.verification.accepted; });
+  if (any) registration_.set_newer(cloud);
+  return matches;
+}
+
+LoopVerdict LoopClosing::judge_lost(const std::vector<LoopMatch>& matches, std::size_t index,
+                                    const Timestamp& stamp, const MapState& map) {
+  const Verification& verification = matches[index].verification;
+  LoopVerdict verdict = verification.accepted ? judge_by_images(matches, index, stamp, map)
+                                              : rejected(matches[index], verification.reason);
+  if (verdict.submap_link) verdict.row.reason = "waits for frames that agree";
+  return verdict;
+}
+
+std::optional<ContradictedLoop> find_contradicted_loop(const PoseGraph& graph,
+                                                       double max_residual) {
+  ContradictedLoop worst;
+  for (std::size_t i = 0; i < graph.edges().size(); ++i) {
+    if (graph.edges()[i].kind != EdgeKind::kLoop) continue;
+    const double error = std::sqrt(squared_error(graph, i));
+    if (error > worst.error) worst = {i, error};
+  }
+  if (worst.error <= max_residual) return std::nullopt;
+  return worst;
+}
+
+}  // namespace cvo_slam

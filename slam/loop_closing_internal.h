@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/loop/loop_detector.h"
+#include "cvo_slam/slam/graph_prior_internal.h"
+#include "cvo_slam/slam/loop_candidate.h"
+#include "cvo_slam/slam/map_state_internal.h"
+#include "cvo_slam/slam/pair_registration_internal.h"
+#include "cvo_slam/slam/slam_options.h"
+
+namespace cvo_slam {
+
+/// The row of a pair: what was found, and what registration says of it. Rejected unless the verdict
+/// has a measurement.
+[[nodiscard]] LoopCandidate candidate_row(EdgeKind kind, std::size_t older, std::size_t newer,
+                                          const PairVerdict& verdict);
+/// The same for a match of images, with its scores and inliers.
+[[nodiscard]] LoopCandidate candidate_row(const LoopMatch& match, const PairVerdict& verdict);
+
+/// The edge that a measurement becomes.
+[[nodiscard]] PoseGraphEdge edge_of(EdgeKind kind, std::size_t older, std::size_t newer,
+                                    const PairMeasurement& measurement);
+
+/// What becomes of a match. At most one of the last three is set.
+struct LoopVerdict {
+  LoopCandidate row;
+  std::optional<PairMeasurement> edge;           ///< joins the pair now
+  std::optional<PairMeasurement> submap_link;    ///< waits until others agree with it
+  std::optional<PairMeasurement> contradiction;  ///< the graph refuses it and may be wrong
+};
+
+/// The verdict for a match that is not registered.
+[[nodiscard]] LoopVerdict rejected(const LoopMatch& match, const std::string& reason);
+
+/// Recognises keyframes by their images, registers pairs, and decides by what the graph says.
+class LoopClosing {
+ public:
+  /// Uses the built-in vocabulary if `vocabulary` is null.
+  LoopClosing(const Camera& camera, const RegistrationOptions& registration, int threads,
+              const LoopClosingOptions& options, const RegistrationNoise& noise,
+              const std::shared_ptr<const Vocabulary>& vocabulary);
+
+  /// The earlier keyframes that the newest one, with these images, seems to show. The newest one is
+  /// searched for from now on too.
+  [[nodiscard]] std::vector<LoopMatch> recognize(const RgbdFrame& images, const PointCloud& cloud);
+  /// Judges one of the matches of the newest keyframe. `paths` starts at the newest keyframe.
+  [[nodiscard]] LoopVerdict judge(const std::vector<LoopMatch>& matches, std::size_t index,
+                                  const MapState& map, PathSearch& paths);
+
+  /// The keyframes that a lost image, with its points, seems to show.
+  [[nodiscard]] std::vector<LoopMatch> recognize_lost(const RgbdFrame& images,
+                                                      const PointCloud& cloud);
+  /// Judges one of the matches of a lost image, without a prior: it is a submap link at most.
+  [[nodiscard]] LoopVerdict judge_lost(const std::vector<LoopMatch>& matches, std::size_t index,
+                                       const Timestamp& stamp, const MapState& map);
+
+ private:
+  [[nodiscard]] LoopVerdict judge_by_prior(const std::vector<LoopMatch>& matches, std::size_t index,
+                                           const MapState& map, PathSearch& paths);
+  [[nodiscard]] LoopVerdict judge_by_images(const std::vector<LoopMatch>& matches,
+                                            std::size_t index, const Timestamp& now,
+                                            const MapState& map);
+
+  PinholeCamera camera_;
+  LoopClosingOptions options_;
+  LoopDetector detector_;
+  PairRegistration registration_;
+};
+
+/// The loop edge that fits the optimised graph worst.
+struct ContradictedLoop {
+  std::size_t edge = 0;
+  double error = 0;  ///< [standard deviations]
+};
+
+/// The worst loop edge if its error exceeds `max_residual`.
+[[nodiscard]] std::optional<ContradictedLoop> find_contradicted_loop(const PoseGraph& graph,
+                                                                     double max_residual);
+
+}  // namespace cvo_slam

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/slam/keyframes_internal.h"
+#include "cvo_slam/slam/map_graph_internal.h"
+#include "cvo_slam/slam/submaps_internal.h"
+
+namespace cvo_slam {
+
+/// A motion that nobody tracked, from the last keyframe of a submap to the first of the next one:
+/// where the camera is if it stood still, with the covariance of how far it may have come.
+struct Gap {
+  std::size_t from = 0;  ///< position of the last keyframe
+  std::size_t to = 0;    ///< position of the first keyframe
+  SE3 T_from_to;
+  EdgeCovariances covariances;
+};
+
+/// Mean of cos_theta over the registrations of consecutive keyframes: what is usual in this scene.
+struct UsualCosTheta {
+  double sum = 0;
+  std::size_t count = 0;
+
+  [[nodiscard]] double mean() const { return count == 0 ? 0 : sum / static_cast<double>(count); }
+};
+
+/// All that the stages of mapping read. The mapper alone changes it.
+struct MapState {
+  KeyframeStore keyframes;
+  MapGraph graph;
+  Submaps submaps;
+  std::vector<Gap> gaps;
+  UsualCosTheta usual_cos_theta;
+
+  [[nodiscard]] int submap_at(std::size_t position) const {
+    return submaps.name_of(keyframes[position].tracked_submap);
+  }
+};
+
+}  // namespace cvo_slam

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include "cvo_slam/core/information.h"
+#include "cvo_slam/slam/mapper_internal.h"
+
+namespace cvo_slam {
+
+Mapper::Mapper(const Camera& camera, const SlamOptions& options,
+               const std::shared_ptr<const Vocabulary>& vocabulary)
+    : camera_(camera.color),
+      options_(options),
+      noise_{options.noise_translation, options.noise_rotation},
+      near_registration_(options.tracker.registration, options.tracker.threads,
+                         options.proximity.pair, noise_),
+      map_{{}, MapGraph(options.optimizer), {}, {}, {}} {
+  if (!options.loops.enabled) return;
+  loop_closing_.emplace(camera, options.tracker.registration, options.tracker.threads,
+                        options.loops, noise_, vocabulary);
+}
+
+CorrectedPose Mapper::add(const KeyframeInput& keyframe) {
+  add_keyframe(keyframe);
+  const std::size_t newest = map_.keyframes.size() - 1;
+  // Over the edges that there are now: those added below have not moved the poses yet.
+  PathSearch paths(map_.graph, newest);
+  connect_near_keyframes(paths);
+  bool is_closed = close_loops(keyframe, paths);
+  separate_submaps();
+  is_closed = join_submaps() || is_closed;
+  ++not_optimized_;
+  if (is_closed) {
+    optimize_all();
+  } else if (not_optimized_ >= options_.optimize_every) {
+    optimize(OptimizationScope::kWindow);
+  }
+  return {map_.graph.pose(newest), map_.submap_at(newest)};
+}
+
+/// Adds the node, and the edge to the keyframe that it was tracked against or recognised at.
+void Mapper::add_keyframe(const KeyframeInput& keyframe) {
+  is_optimized_ = false;
+  const auto pose_after = [this](std::size_t reference, const SE3& T_reference_keyframe) {
+    const std::size_t position = map_.keyframes.position_of(reference);
+    return (map_.graph.pose(position) * T_reference_keyframe).normalized();
+  };
+  SE3 T_world_camera = keyframe.T_world_camera;
+  if (keyframe.odometry) {
+    T_world_camera =
+        pose_after(keyframe.odometry->reference, keyframe.odometry->T_reference_keyframe);
+  } else if (keyframe.recognized) {
+    T_world_camera =
+        pose_after(keyframe.recognized->keyframe, keyframe.recognized->measurement.T_older_newer);
+  } else if (!map_.keyframes.empty()) {
+    T_world_camera = start_after_gap(keyframe);
+  }
+  map_.keyframes.add({keyframe.number, keyframe.stamp, keyframe.tracked_submap, keyframe.cloud});
+  map_.graph.add_keyframe(keyframe.number, T_world_camera);
+  proximity_.set(map_.keyframes.size() - 1, T_world_camera.translation(),
+                 map_.keyframes.newest().reach);
+  T_world_newest_tracked_ = keyframe.T_world_camera;
+  if (const auto& odometry = keyframe.odometry) {
+    add_edge(EdgeKind::kOdometry, odometry->reference, keyframe.number,
+             {odometry->T_reference_keyframe, noise_.added_to(odometry->information)},
+             std::nullopt);
+    map_.usual_cos_theta.sum += odometry->cos_theta;
+    ++map_.usual_cos_theta.count;
+  } else if (const auto& recognized = keyframe.recognized) {
+    add_edge(EdgeKind::kLoop, recognized->keyframe, keyframe.number, recognized->measurement,
+             recognized->row);
+    accept(recognized->row);
+  }
+}
+
+/// The pose of the first keyframe of a submap if the camera stood still while it was lost, by the
+/// tracker's poses. Keeps the gap.
+SE3 Mapper::start_after_gap(const KeyframeInput& keyframe) {
+  const std::size_t last = map_.keyframes.size() - 1;
+  const SE3 T_last_keyframe = T_world_newest_tracked_.inverse() * keyframe.T_world_camera;
+  constexpr double kShortest = 0.01;  // [s]
+  const double seconds =
+      std::max(kShortest, seconds_between(map_.keyframes[last].stamp, keyframe.stamp));
+  const AlignedMatrix6 information =
+      AlignedMatrix6(untracked_covariance(seconds, options_.loops.relocalization)).inverse();
+  const PoseGraphEdge as_edge{node_id(map_.keyframes[last].number), node_id(keyframe.number),
+                              T_last_keyframe, edge_information(T_last_keyframe, information)};
+  map_.gaps.push_back({last, last + 1, T_last_keyframe, covariances_of(as_edge)});
+  return (map_.graph.pose(last) * T_last_keyframe).normalized();
+}
+
+void Mapper::connect_near_keyframes(PathSearch& paths) {
+  const auto near = find_near_keyframes(map_, proximity_, camera_, options_.proximity);
+  if (near.empty()) return;
+  const std::size_t newest = map_.keyframes.size() - 1;
+  near_registration_.set_newer(*map_.keyframes.newest().cloud);
+  for (const NearKeyframe& keyframe : near) {
+    const auto covariance = paths.covariance_to(keyframe.position);
+    if (!covariance) continue;
+    const PairPrior prior = graph_prior(map_.graph, keyframe.position, newest, *covariance);
+    const StoredKeyframe& older = map_.keyframes[keyframe.position];
+    const PairVerdict verdict = near_registration_.verify(*older.cloud, prior.T_older_newer, &prior,
+                                                          map_.usual_cos_theta.mean());
+    const std::size_t newer = map_.keyframes.newest().number;
+    if (verdict.measurement) {
+      add_edge(EdgeKind::kProximity, older.number, newer, *verdict.measurement, candidates_.size());
+    }
+    candidates_.push_back(candidate_row(EdgeKind::kProximity, older.number, newer, verdict));
+    candidates_.back().expected_overlap = keyframe.expected_overlap;
+  }
+}
+
+/// Returns true if there is a new edge.
+bool Mapper::close_loops(const KeyframeInput& keyframe, PathSearch& paths) {
+  if (!loop_closing_ || !keyframe.images) return false;
+  const auto matches = loop_closing_->recognize(*keyframe.images, *keyframe.cloud);
+  bool is_closed = false;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const LoopVerdict verdict = loop_closing_->judge(matches, i, map_, paths);
+    const std::size_t older = matches[i].keyframe;
+    const std::size_t row = candidates_.size();
+    if (verdict.edge) {
+      add_edge(EdgeKind::kLoop, older, keyframe.number, *verdict.edge, row);
+      is_closed = true;
+    } else if (verdict.submap_link) {
+      links_.push_back({older, keyframe.number, *verdict.submap_link, row});
+    } else if (verdict.contradiction) {
+      contradictions_.push_back({older, keyframe.number, *verdict.contradiction, row});
+    }
+    candidates_.push_back(verdict.row);
+  }
+  return is_closed;
+}
+
+/// Separates the newest tracked submap from others if more keyframes say that it is elsewhere than
+/// have joined it, so that these can join it.
+void Mapper::separate_submaps() {
+  const auto separation = find_separation(contradictions_, map_, options_.loops.relocalization);
+  if (!separation) return;
+  for (const std::size_t edge : separation->edges) {
+    take_back(edge, fmt::format("taken back: {} keyframes say that its submap is elsewhere",
+                                separation->keyframes));
+  }
+  map_.submaps = submaps_of(map_);
+  settle_links();
+  links_.insert(links_.end(), separation->links.begin(), separation->links.end());
+  contradictions_.clear();
+}
+
+/// Joins the newest keyframe's submap with another one if enough keyframes say how. Returns true if
+/// there are new edges.
+bool Mapper::join_submaps() {
+  const auto join = find_join(links_, map_, options_.loops.relocalization);
+  if (!join) return false;
+  // A start for the optimisation, which cannot find its way from metres off.
+  for (std::size_t i = 0; i < map_.keyframes.size(); ++i) {
+    if (map_.submap_at(i) != join->moved) continue;
+    const SE3 T_world_camera = (join->T_new_old * map_.graph.pose(i)).normalized();
+    map_.graph.set_pose(i, T_world_camera);
+    proximity_.set(i, T_world_camera.translation(), map_.keyframes[i].reach);
+  }
+  for (const SubmapLink& link : join->links) {
+    add_edge(EdgeKind::kLoop, link.older, link.newer, link.measurement, link.row);
+    accept(link.row);
+  }
+  settle_links();
+  return true;
+}
+
+/// Drops the links within one submap, which are edges now or contradict those that are.
+void Mapper::settle_links() {
+  std::erase_if(links_, [this](const SubmapLink& link) {
+    if (map_.submap_at(map_.keyframes.position_of(link.older)) !=
+        map_.submap_at(map_.keyframes.position_of(link.newer))) {
+      return false;
+    }
+    LoopCandidate& row = candidates_[link.row];
+    if (!row.accepted) row.reason = "most keyframes say that the submap is elsewhere";
+    return true;
+  });
+}
+
+void Mapper::add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
+                      const PairMeasurement& measurement, std::optional<std::size_t> row) {
+  map_.graph.add_edge(edge_of(kind, older, newer, measurement), row);
+  map_.submaps.join(map_.keyframes[map_.keyframes.position_of(older)].tracked_submap,
+                    map_.keyframes[map_.keyframes.position_of(newer)].tracked_submap);
+}
+
+/// Marks a candidate that was waiting as an edge.
+void Mapper::accept(std::size_t row) {
+  candidates_[row].accepted = true;
+  candidates_[row].reason.clear();
+}
+
+/// Removes an edge and says so in its row.
+void Mapper::take_back(std::size_t edge, const std::string& reason) {
+  const auto row = map_.graph.remove_edge(edge);
+  if (!row) return;
+  candidates_[*row].accepted = false;
+  candidates_[*row].reason = reason;
+}
+
+std::optional<RecognizedPose> Mapper::relocalize(const RgbdFrame& images, const PointCloud& cloud) {
+  if (!loop_closing_) return std::nullopt;
+  Relocalization result = cvo_slam::relocalize(images, cloud, map_, *loop_closing_);
+  if (result.pose) result.pose->row += candidates_.size();
+  std::move(result.rows.begin(), result.rows.end(), std::back_inserter(candidates_));
+  return result.pose;
+}
+
+void Mapper::optimize_all() {
+  if (is_optimized_) return;
+  optimize(OptimizationScope::kFull);
+  // One at a time: a wrong loop makes right ones fit badly too.
+  while (const auto worst = find_contradicted_loop(graph(), options_.loops.max_residual)) {
+    take_back(worst->edge, fmt::format("taken back: {:.1f} standard deviations from the optimised "
+                                       "graph",
+                                       worst->error));
+    map_.submaps = submaps_of(map_);
+    settle_links();
+    optimize(OptimizationScope::kFull);
+  }
+  is_optimized_ = true;
+}
+
+void Mapper::optimize(OptimizationScope scope) {
+  const Summary summary = map_.graph.optimize(scope);
+  for (const std::size_t i : map_.graph.moved()) {
+    proximity_.set(i, map_.graph.pose(i).translation(), map_.keyframes[i].reach);
+  }
+  not_optimized_ = 0;
+  if (scope == OptimizationScope::kWindow) {
+    ++statistics_.window_solves;
+    statistics_.window_seconds += summary.seconds;
+  } else {
+    ++statistics_.full_solves;
+    statistics_.full_seconds += summary.seconds;
+    statistics_.last_full = summary;
+  }
+}
+
+}  // namespace cvo_slam

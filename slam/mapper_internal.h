@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cvo_slam/core/camera.h"
+#include "cvo_slam/slam/loop_candidate.h"
+#include "cvo_slam/slam/loop_closing_internal.h"
+#include "cvo_slam/slam/map_state_internal.h"
+#include "cvo_slam/slam/proximity_internal.h"
+#include "cvo_slam/slam/relocalization_internal.h"
+#include "cvo_slam/slam/slam_options.h"
+
+namespace cvo_slam {
+
+/// A registration of a keyframe to the one that it was tracked against.
+struct OdometryMeasurement {
+  std::size_t reference = 0;  ///< number of the other keyframe
+  SE3 T_reference_keyframe;
+  Matrix6 information = Matrix6::Identity();  ///< of a right perturbation
+  double cos_theta = 0;
+};
+
+/// A new keyframe as the tracker hands it over.
+struct KeyframeInput {
+  std::size_t number = 0;  ///< the index of its frame; keyframes come in ascending order
+  Timestamp stamp;
+  int tracked_submap = 0;
+  SE3 T_world_camera;  ///< as it was tracked
+  std::shared_ptr<const PointCloud> cloud;
+  std::optional<OdometryMeasurement> odometry;  ///< none for the first keyframe of a submap
+  std::optional<RecognizedPose> recognized;  ///< where relocalisation found the first of a submap
+  std::optional<RgbdFrame> images;           ///< only needed where keyframes are recognised
+};
+
+/// Where the map has a keyframe.
+struct CorrectedPose {
+  SE3 T_world_camera;
+  int submap = 0;  ///< name of the joined submaps that it belongs to
+};
+
+/// Builds the map: keyframes, and the graph of what was measured between them. For one thread at a
+/// time.
+class Mapper {
+ public:
+  /// Uses the built-in vocabulary if loops are closed and `vocabulary` is null.
+  Mapper(const Camera& camera, const SlamOptions& options,
+         const std::shared_ptr<const Vocabulary>& vocabulary = nullptr);
+
+  /// Adds a keyframe, connects it with others, and optimises: the newest part of the graph now and
+  /// then, all of it when a loop was closed. Returns where the map has the keyframe then.
+  CorrectedPose add(const KeyframeInput& keyframe);
+  /// Finds where a lost image was taken, by its points too; none if that is not certain enough or
+  /// loops are not closed.
+  [[nodiscard]] std::optional<RecognizedPose> relocalize(const RgbdFrame& images,
+                                                         const PointCloud& cloud);
+  /// Optimises the whole graph and takes back the loops that it contradicts, unless nothing was
+  /// added since that was done.
+  void optimize_all();
+
+  [[nodiscard]] const MapState& map() const { return map_; }
+  [[nodiscard]] const PoseGraph& graph() const { return map_.graph.graph(); }
+  /// Every pair that was tried, with its verdict.
+  [[nodiscard]] const std::vector<LoopCandidate>& candidates() const { return candidates_; }
+  [[nodiscard]] const GraphStatistics& statistics() const { return statistics_; }
+
+ private:
+  void add_keyframe(const KeyframeInput& keyframe);
+  [[nodiscard]] SE3 start_after_gap(const KeyframeInput& keyframe);
+  void connect_near_keyframes(PathSearch& paths);
+  bool close_loops(const KeyframeInput& keyframe, PathSearch& paths);
+  void separate_submaps();
+  bool join_submaps();
+  void settle_links();
+  void add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
+                const PairMeasurement& measurement, std::optional<std::size_t> row);
+  void accept(std::size_t row);
+  void take_back(std::size_t edge, const std::string& reason);
+  void optimize(OptimizationScope scope);
+
+  PinholeCamera camera_;
+  SlamOptions options_;
+  RegistrationNoise noise_;
+  PairRegistration near_registration_;
+  std::optional<LoopClosing> loop_closing_;
+  MapState map_;
+  ProximityIndex proximity_;
+  std::vector<SubmapLink> links_;           // wait until enough agree
+  std::vector<SubmapLink> contradictions_;  // that the graph does not believe
+  std::vector<LoopCandidate> candidates_;
+  GraphStatistics statistics_;
+  SE3 T_world_newest_tracked_;  // the newest keyframe's pose as it was tracked
+  int not_optimized_ = 0;       // keyframes since the last optimisation
+  bool is_optimized_ = true;
+};
+
+}  // namespace cvo_slam

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include "cvo_slam/slam/pair_registration_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+PointCloud first_points(const PointCloud& cloud, int count) {
+  const auto n =
+      static_cast<std::ptrdiff_t>(std::min(cloud.size(), static_cast<std::size_t>(count)));
+  const auto head = [n](const std::vector<float>& v) {
+    return std::vector<float>(v.begin(), v.begin() + n);
+  };
+  PointCloud result{head(cloud.x), head(cloud.y), head(cloud.z), {}, head(cloud.u), head(cloud.v)};
+  for (std::size_t i = 0; i < PointCloud::kFeatures; ++i) {
+    result.features[i] = head(cloud.features[i]);
+  }
+  return result;
+}
+
+/// Figures of two registrations that agree, without the comparison with a prior.
+PairVerdict compare(const RegistrationResult& there, const RegistrationResult& back) {
+  PairVerdict verdict;
+  verdict.overlap = std::min(there.overlap, back.overlap);
+  verdict.cos_theta = std::min(there.cos_theta, back.cos_theta);
+  const SE3 round_trip = there.T_fixed_moving * back.T_fixed_moving;
+  verdict.round_trip_translation = round_trip.translation().norm();
+  verdict.round_trip_rotation = round_trip.angle();
+  return verdict;
+}
+
+/// Distance of a measurement from the prior in standard deviations of both.
+double prior_error(const PairMeasurement& measurement, const PairPrior& prior,
+                   const SE3& correction) {
+  const AlignedMatrix6 information = measurement.information;
+  const AlignedMatrix6 covariance = AlignedMatrix6(prior.covariance) + information.inverse();
+  const Eigen::Matrix<double, 6, 1> error = correction.log();
+  return std::sqrt(error.dot(covariance.ldlt().solve(error)));
+}
+
+/// Why a pair is not believed; empty if it is.
+std::string find_fault(const PairVerdict& v, double usual_cos_theta, const PairOptions& o) {
+  if (v.overlap < o.min_overlap) {
+    return fmt::format("overlap {:.2f} is below {:.2f}", v.overlap, o.min_overlap);
+  }
+  if (v.cos_theta < o.min_cos_theta * usual_cos_theta) {
+    return fmt::format("cos_theta {:.2f} is below {:.2f} of the usual {:.2f}", v.cos_theta,
+                       o.min_cos_theta, usual_cos_theta);
+  }
+  if (v.round_trip_translation > o.max_round_trip_translation ||
+      v.round_trip_rotation > o.max_round_trip_rotation) {
+    return fmt::format("there and back is {:.3f} m and {:.3f} rad", v.round_trip_translation,
+                       v.round_trip_rotation);
+  }
+  if (v.error > o.max_error)
+    return fmt::format("{:.1f} standard deviations from the graph", v.error);
+  return {};
+}
+
+}  // namespace
+
+Matrix6 RegistrationNoise::added_to(const Matrix6& information) const {
+  AlignedMatrix6 covariance = AlignedMatrix6(information).inverse();
+  covariance.diagonal().head<3>().array() += translation * translation;
+  covariance.diagonal().tail<3>().array() += rotation * rotation;
+  const AlignedMatrix6 sum = covariance.inverse();
+  return 0.5 * (sum + sum.transpose());
+}
+
+PairRegistration::PairRegistration(const RegistrationOptions& registration, int threads,
+                                   const PairOptions& options, const RegistrationNoise& noise)
+    : options_(options),
+      noise_(noise),
+      to_newer_(registration, threads),
+      to_older_(registration, threads) {}
+
+void PairRegistration::set_newer(const PointCloud& cloud) {
+  to_newer_.set_fixed(cloud);
+  newer_ = first_points(cloud, options_.points);
+}
+
+PairVerdict PairRegistration::verify(const PointCloud& older, const SE3& T_older_newer,
+                                     const PairPrior* prior, double usual_cos_theta) {
+  const RegistrationResult back = to_newer_.align(first_points(older, options_.points),
+                                                  T_older_newer.inverse(), options_.skip_scales);
+  // The way back needs no new grids; where it fails the way there need not be tried.
+  if (back.status == RegistrationStatus::kFailed || back.overlap < options_.min_overlap) {
+    PairVerdict verdict;
+    verdict.overlap = back.overlap;
+    verdict.cos_theta = back.cos_theta;
+    verdict.reason = back.status == RegistrationStatus::kFailed
+                         ? back.reason
+                         : find_fault(verdict, usual_cos_theta, options_);
+    return verdict;
+  }
+  to_older_.set_fixed(older);
+  const RegistrationResult there = to_older_.align(newer_, T_older_newer, options_.skip_scales);
+  if (there.status == RegistrationStatus::kFailed) return PairVerdict::rejected(there.reason);
+  PairVerdict verdict = compare(there, back);
+  // Each way has points of its own; the middle has less noise than either.
+  const SE3 T_middle =
+      interpolate(there.T_fixed_moving, back.T_fixed_moving.inverse(), 0.5).normalized();
+  const PairMeasurement measurement{T_middle, noise_.added_to(there.information)};
+  if (prior != nullptr) {
+    const SE3 correction = prior->T_older_newer.inverse() * measurement.T_older_newer;
+    verdict.correction_translation = correction.translation().norm();
+    verdict.correction_rotation = correction.angle();
+    verdict.error = prior_error(measurement, *prior, correction);
+  }
+  verdict.reason = find_fault(verdict, usual_cos_theta, options_);
+  if (verdict.reason.empty()) verdict.measurement = measurement;
+  return verdict;
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "cvo_slam/core/point_cloud.h"
+#include "cvo_slam/slam/proximity_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+constexpr double kCell = 4;  // [m]: a search visits some hundred cells at a reach of 7 m
+
+std::int32_t cell_along(double x) { return static_cast<std::int32_t>(std::floor(x / kCell)); }
+
+bool is_far_from_all(std::size_t position, const std::vector<NearKeyframe>& chosen,
+                     std::size_t min_gap) {
+  return std::all_of(chosen.begin(), chosen.end(), [&](const NearKeyframe& other) {
+    return std::max(position, other.position) - std::min(position, other.position) >= min_gap;
+  });
+}
+
+}  // namespace
+
+double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
+                      const PinholeCamera& camera) {
+  const double b_in_a = visible_share(b, T_a_b, camera);
+  if (b_in_a == 0) return 0;
+  return std::min(b_in_a, visible_share(a, T_a_b.inverse(), camera));
+}
+
+void ProximityIndex::set(std::size_t position, const Vector3& camera, double reach) {
+  const Cell cell = {cell_along(camera.x()), cell_along(camera.y()), cell_along(camera.z())};
+  if (position < entries_.size()) {
+    Entry& entry = entries_[position];
+    entry.camera = camera;
+    if (entry.cell == cell) return;
+    std::erase(cells_[entry.cell], position);
+  } else {
+    entries_.resize(position + 1);
+  }
+  entries_[position] = {camera, reach, cell};
+  cells_[cell].push_back(position);
+  largest_reach_ = std::max(largest_reach_, reach);
+}
+
+std::vector<std::size_t> ProximityIndex::within_reach_of(std::size_t position) const {
+  const Entry& center = entries_[position];
+  const double radius = center.reach + largest_reach_;
+  const auto first = [&](int axis) { return cell_along(center.camera[axis] - radius); };
+  const auto last = [&](int axis) { return cell_along(center.camera[axis] + radius); };
+  std::vector<std::size_t> found;
+  for (std::int32_t x = first(0); x <= last(0); ++x) {
+    for (std::int32_t y = first(1); y <= last(1); ++y) {
+      const auto end = cells_.upper_bound({x, y, last(2)});
+      for (auto cell = cells_.lower_bound({x, y, first(2)}); cell != end; ++cell) {
+        for (const std::size_t other : cell->second) {
+          const Entry& entry = entries_[other];
+          const double distance = (entry.camera - center.camera).norm();
+          if (other != position && distance <= center.reach + entry.reach) found.push_back(other);
+        }
+      }
+    }
+  }
+  std::sort(found.begin(), found.end(), std::greater<>());
+  return found;
+}
+
+std::vector<NearKeyframe> find_near_keyframes(const MapState& map, const ProximityIndex& index,
+                                              const PinholeCamera& camera,
+                                              const ProximityOptions& options) {
+  std::vector<NearKeyframe> chosen;
+  std::vector<NearKeyframe> older;
+  const std::size_t newest = map.keyframes.size() - 1;
+  for (const std::size_t position : index.within_reach_of(newest)) {
+    if (position + 1 >= newest || map.submap_at(position) != map.submap_at(newest)) continue;
+    const SE3 T_older_newer = map.graph.pose(position).inverse() * map.graph.pose(newest);
+    const double overlap = mutual_overlap(*map.keyframes[position].cloud,
+                                          *map.keyframes[newest].cloud, T_older_newer, camera);
+    if (overlap < options.min_expected_overlap) continue;
+    const std::size_t between = newest - position - 2;  // the predecessor aside
+    const bool is_recent = between < static_cast<std::size_t>(options.recent);
+    (is_recent ? chosen : older).push_back({position, overlap});
+  }
+  std::stable_sort(older.begin(), older.end(), [](const NearKeyframe& a, const NearKeyframe& b) {
+    return a.expected_overlap > b.expected_overlap;
+  });
+  const std::size_t most = chosen.size() + static_cast<std::size_t>(options.near);
+  for (const NearKeyframe& keyframe : older) {
+    if (chosen.size() == most) break;
+    if (is_far_from_all(keyframe.position, chosen, static_cast<std::size_t>(options.min_gap))) {
+      chosen.push_back(keyframe);
+    }
+  }
+  return chosen;
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "cvo_slam/slam/relocalization_internal.h"
+
+namespace cvo_slam {
+
+Relocalization relocalize(const RgbdFrame& images, const PointCloud& cloud, const MapState& map,
+                          LoopClosing& loop_closing) {
+  const std::vector<LoopMatch> matches = loop_closing.recognize_lost(images, cloud);
+  Relocalization result;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    LoopVerdict verdict = result.pose
+                              ? rejected(matches[i], "another keyframe is recognised already")
+                              : loop_closing.judge_lost(matches, i, images.stamp, map);
+    verdict.row.relocalization = true;
+    if (verdict.submap_link) {
+      const std::size_t position = map.keyframes.position_of(matches[i].keyframe);
+      const SE3 T_world_camera = map.graph.pose(position) * verdict.submap_link->T_older_newer;
+      result.pose = RecognizedPose{matches[i].keyframe, *verdict.submap_link,
+                                   T_world_camera.normalized(), map.submap_at(position), i};
+    }
+    result.rows.push_back(std::move(verdict.row));
+  }
+  return result;
+}
+
+PoseAgreement::PoseAgreement(int frames, double max_speed, double max_angular_speed)
+    : frames_(frames), max_speed_(max_speed), max_angular_speed_(max_angular_speed) {}
+
+bool PoseAgreement::add(const Timestamp& stamp, const RecognizedPose& pose) {
+  const Observation observation{stamp, pose.submap, pose.T_world_camera};
+  std::erase_if(observations_,
+                [&](const Observation& earlier) { return !agree(earlier, observation); });
+  observations_.push_back(observation);
+  return count() >= frames_;
+}
+
+bool PoseAgreement::agree(const Observation& a, const Observation& b) const {
+  if (a.submap != b.submap) return false;
+  constexpr double kLongest = 0.5;       // [s]; after more the camera may be anywhere
+  constexpr double kTranslation = 0.05;  // [m]; that either may be wrong by
+  constexpr double kRotation = 0.05;     // [rad]
+  const double seconds = std::abs(seconds_between(a.stamp, b.stamp));
+  const SE3 motion = a.T_world_camera.inverse() * b.T_world_camera;
+  return seconds <= kLongest &&
+         motion.translation().norm() <= kTranslation + max_speed_ * seconds &&
+         motion.angle() <= kRotation + max_angular_speed_ * seconds;
+}
+
+}  // namespace cvo_slam
