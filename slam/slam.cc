@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -46,17 +45,9 @@ struct NewKeyframe {
   std::optional<KeyframeLink> place;       // where the lost camera was found
 };
 
-/// The caller may grab the next images into the memory of these.
-std::shared_ptr<const RgbdFrame> copy_of(const RgbdFrame& frame) {
-  RgbdFrame copy = frame;
-  copy.color = frame.color.clone();
-  copy.depth = frame.depth.clone();
-  return std::make_shared<const RgbdFrame>(std::move(copy));
-}
-
 /// A new keyframe with what the tracker found of it.
 TrackedKeyframe keyframe_of(const FrameRecord& record, NewKeyframe seen) {
-  TrackedKeyframe keyframe{record.index,          record.stamp,         record.segment,
+  TrackedKeyframe keyframe{record.index,          record.stamp,         record.submap,
                            record.T_world_camera, std::nullopt,         std::move(seen.place),
                            std::move(seen.cloud), std::move(seen.image)};
   if (record.keyframe != record.index) {
@@ -82,44 +73,32 @@ struct Slam::Impl {
         agreement(options.loops.relocalization.frames, tracker_options.lost.max_speed,
                   tracker_options.lost.max_angular_speed),
         map(camera, tracker_options.registration, tracker_options.threads, options, vocabulary),
-        jobs(options.schedule) {
-    tracker.observe_keyframes(
-        [this](const RgbdFrame& frame, const PointCloud& cloud) { see_keyframe(frame, cloud); });
-  }
+        jobs(options.schedule) {}
 
   Camera camera;
   TrackerOptions tracker_options;
   SlamOptions options;
   Tracker tracker;
-  PlaceAgreement agreement;                          // of the frames since tracking was lost
-  std::map<std::size_t, NewKeyframe> new_keyframes;  // by frame
-  std::vector<FrameRecord> tracked;                  // as the tracker answered
-  std::vector<FrameRecord> online;                   // with what was known at the time
-  std::vector<Keyframe> keyframes;                   // handed over to the map
+  PlaceAgreement agreement;                    // of the frames since tracking was lost
+  std::map<std::size_t, KeyframeLink> places;  // where the lost camera was found, by frame
+  std::vector<FrameRecord> tracked;            // as the tracker answered
+  std::vector<FrameRecord> online;             // with what was known at the time
+  std::vector<Keyframe> keyframes;             // handed over to the map
   std::deque<std::shared_ptr<const MappedKeyframe>> on_their_way;
   std::map<int, Correction> corrections;  // by segment
   KeyframeMap map;
   JobQueue jobs;  // the last member: its thread ends before what it works on
 
-  void see_keyframe(const RgbdFrame& frame, const PointCloud& cloud);
   FrameRecord track(const RgbdFrame& frame);
   [[nodiscard]] FrameRecord relocalize(const RgbdFrame& frame, const FrameRecord& lost);
   void correct(FrameRecord& record) const;
-  void hand_over_keyframes_before(std::size_t frame);
+  void hand_over(const std::optional<TrackerKeyframe>& keyframe);
   void submit(TrackedKeyframe keyframe);
   void apply_corrections(std::size_t left);
   [[nodiscard]] const FrameRecord& record_of(std::size_t frame) const;
   [[nodiscard]] const FrameRecord* next_keyframe(const FrameRecord& frame) const;
   [[nodiscard]] SE3 final_pose(std::size_t record) const;
 };
-
-/// Keeps the points of a new keyframe, or of one that is made again before the map has it.
-void Slam::Impl::see_keyframe(const RgbdFrame& frame, const PointCloud& cloud) {
-  if (!keyframes.empty() && frame.index <= keyframes.back().frame) return;
-  NewKeyframe& seen = new_keyframes[frame.index];
-  seen.cloud = std::make_shared<const PointCloud>(cloud);
-  if (options.loops.enabled && !seen.image) seen.image = copy_of(frame);
-}
 
 FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
   if (!tracked.empty() && frame.index <= tracked.back().index) {
@@ -128,7 +107,8 @@ FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
                     "the frames in ascending order",
                     frame.index, tracked.back().index));
   }
-  FrameRecord record = tracker.track(frame);
+  const TrackedFrame answer = tracker.track(frame);
+  FrameRecord record = answer.record;
   if (record.status == TrackingStatus::kTracked) {
     agreement.forget();
   } else if (options.loops.enabled) {
@@ -136,8 +116,7 @@ FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
   }
   tracked.push_back(record);
   if (record.status == TrackingStatus::kTracked) {
-    // A keyframe's points are final when a frame was registered to it.
-    hand_over_keyframes_before(frame.index);
+    hand_over(answer.keyframe);
     correct(record);
   }
   online.push_back(record);
@@ -147,35 +126,34 @@ FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
 /// Goes on with a lost frame where enough frames in a row show a place that the map knows.
 FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lost) {
   if (!check_images(frame, camera).empty()) return lost;
-  hand_over_keyframes_before(frame.index);
+  hand_over(tracker.take_keyframe());
   jobs.wait_until_left(0);
-  const auto place = map.relocalize(
-      frame,
-      select_points(frame, camera, tracker_options.keyframe_points, tracker_options.selection));
+  const auto place = map.relocalize(frame, tracker.select_keyframe_points());
   if (!place || !agreement.see({frame.stamp, place->part, place->T_world_camera})) return lost;
-  FrameRecord record = tracker.resume(frame, place->T_world_camera);
+  FrameRecord record = tracker.resume(place->T_world_camera);
   if (record.status == TrackingStatus::kLost) return lost;
   agreement.forget();
-  new_keyframes[frame.index].place = place->link;
-  corrections[record.segment] = {place->part, SE3()};
+  places[frame.index] = place->link;
+  corrections[record.submap] = {place->part, SE3()};
   return record;
 }
 
 /// Puts a tracked frame where the map has its segment.
 void Slam::Impl::correct(FrameRecord& record) const {
-  const auto correction = corrections.find(record.segment);
+  const auto correction = corrections.find(record.submap);
   if (correction == corrections.end()) return;
   const auto& [part, T_corrected_tracked] = correction->second;
-  record.segment = part;
+  record.submap = part;
   record.T_world_camera = (T_corrected_tracked * record.T_world_camera).normalized();
 }
 
-void Slam::Impl::hand_over_keyframes_before(std::size_t frame) {
-  while (!new_keyframes.empty() && new_keyframes.begin()->first < frame) {
-    const auto next = new_keyframes.extract(new_keyframes.begin());
-    submit(keyframe_of(record_of(next.key()), next.mapped()));
-    apply_corrections(static_cast<std::size_t>(options.correction_delay));
-  }
+void Slam::Impl::hand_over(const std::optional<TrackerKeyframe>& keyframe) {
+  if (!keyframe) return;
+  NewKeyframe seen{keyframe->cloud, nullptr, std::nullopt};
+  if (options.loops.enabled) seen.image = std::make_shared<const RgbdFrame>(keyframe->images);
+  if (const auto place = places.extract(keyframe->frame)) seen.place = place.mapped();
+  submit(keyframe_of(record_of(keyframe->frame), seen));
+  apply_corrections(static_cast<std::size_t>(options.correction_delay));
 }
 
 void Slam::Impl::submit(TrackedKeyframe keyframe) {
@@ -247,7 +225,7 @@ Slam& Slam::operator=(Slam&&) noexcept = default;
 FrameRecord Slam::track(const RgbdFrame& frame) { return impl_->track(frame); }
 
 void Slam::finish() {
-  impl_->hand_over_keyframes_before(std::numeric_limits<std::size_t>::max());
+  impl_->hand_over(impl_->tracker.take_keyframe());
   impl_->apply_corrections(0);
   impl_->map.optimize_all();
 }
@@ -259,7 +237,7 @@ Trajectory Slam::trajectory(TrajectoryView view) const {
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (records[i].status == TrackingStatus::kTracked) {
       records[i].T_world_camera = impl_->final_pose(i);
-      records[i].segment = impl_->map.part_of(records[i].segment);
+      records[i].submap = impl_->map.part_of(records[i].submap);
     }
   }
   return to_trajectory(records);

@@ -43,7 +43,7 @@ struct Keyframe {
 /// Where loops are enabled a lost camera is looked for among the keyframes: when a few frames in a
 /// row agree on where it is, it goes on from there. Else a new segment starts after a while, as the
 /// tracker's options say, in a world of its own, and is joined when enough of its keyframes say
-/// where it is. Segments that are joined are one: FrameRecord::segment is then the first of them.
+/// where it is. Segments that are joined are one: FrameRecord::submap is then the first of them.
 ///
 /// Results do not depend on threads, schedule or timing. Until finish() what the functions below
 /// answer is of the keyframes that the map knows so far; they wait for work that is under way.

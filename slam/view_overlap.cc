@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "cvo_slam/frontend/visible_share.h"
+#include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/slam/view_overlap_internal.h"
 
 namespace cvo_slam {

@@ -202,13 +202,13 @@ TEST_F(KidnappedCamera, IsFoundWithinTenFrames) {
   const Run result = run();
   std::size_t found = kBack;
   while (found < kFrames && (result.records[found].status == TrackingStatus::kLost ||
-                             result.records[found].segment != 0)) {
+                             result.records[found].submap != 0)) {
     ++found;
   }
   EXPECT_LT(found, kBack + 10);
   for (std::size_t i = found; i < kFrames; ++i) {
     ASSERT_EQ(result.records[i].status, TrackingStatus::kTracked) << i;
-    EXPECT_EQ(result.records[i].segment, 0) << i;
+    EXPECT_EQ(result.records[i].submap, 0) << i;
     expect_near_truth(i, result.records[i].T_world_camera);
   }
 }
@@ -217,7 +217,7 @@ TEST_F(KidnappedCamera, IsNotFoundWhereItHasNotBeen) {
   const Run result = run();
   for (std::size_t i = kCarriedOff; i < kBack; ++i) {
     const FrameRecord& record = result.records[i];
-    EXPECT_TRUE(record.status == TrackingStatus::kLost || record.segment != 0) << i;
+    EXPECT_TRUE(record.status == TrackingStatus::kLost || record.submap != 0) << i;
   }
 }
 
