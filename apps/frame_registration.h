@@ -9,7 +9,7 @@
 #include "cvo_slam/apps/frame_pair.h"
 #include "cvo_slam/frontend/inspection.h"
 #include "cvo_slam/frontend/registration.h"
-#include "cvo_slam/frontend/tracker_options.h"
+#include "cvo_slam/frontend/tracker.h"
 
 namespace cvo_slam {
 

@@ -79,7 +79,8 @@ OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
                          const TrackerOptions& options, const RunControl& control) {
   Tracker tracker(data.camera(), options);
   return run_frames(
-      data, range, [&](const RgbdFrame& frame) { return tracker.track(frame); }, [] {}, control);
+      data, range, [&](const RgbdFrame& frame) { return tracker.track(frame).record; }, [] {},
+      control);
 }
 
 std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajectory& trajectory,

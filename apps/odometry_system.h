@@ -10,7 +10,7 @@
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/frontend/tracker_options.h"
+#include "cvo_slam/frontend/tracker.h"
 
 namespace cvo_slam {
 

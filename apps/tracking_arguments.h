@@ -13,7 +13,7 @@
 
 #include "cvo_slam/core/options.h"
 #include "cvo_slam/core/point_fusion.h"
-#include "cvo_slam/frontend/tracker_options.h"
+#include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam_options.h"
 

@@ -36,7 +36,7 @@ std::vector<double> nees_of(const Dataset& data) {
   Tracker tracker(data.camera());
   std::vector<double> values;
   for (std::size_t i = 0; i < data.size(); ++i) {
-    const FrameRecord record = tracker.track(data.read(i));
+    const FrameRecord record = tracker.track(data.read(i)).record;
     if (record.status == TrackingStatus::kLost || record.keyframe == record.index) continue;
     const auto T_world_camera = pose_at(data.reference(), record.stamp);
     const auto T_world_keyframe = pose_at(data.reference(), data.stamp(record.keyframe));

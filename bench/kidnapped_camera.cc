@@ -253,7 +253,7 @@ class Kidnapping {
       const std::size_t index = stay.first_frame + i;
       const FrameRecord record = slam_.track(frame(index));
       if (arguments_.verbose && stay.first_frame > 0) print(record);
-      if (record.status == TrackingStatus::kLost || record.segment != 0) continue;
+      if (record.status == TrackingStatus::kLost || record.submap != 0) continue;
       const SE3 error = error_in_map(record);
       if (error.translation().norm() > kTranslation || error.angle() > kRotation) {
         tally.wrong = 1;
@@ -300,7 +300,7 @@ class Kidnapping {
   void print(const FrameRecord& record) const {
     const SE3 error = error_in_map(record);
     fmt::print("  {} segment {} {} error {:.3f} m {:.3f} rad, to {} overlap {:.2f} cos {:.2f} {}\n",
-               record.index, record.segment,
+               record.index, record.submap,
                record.status == TrackingStatus::kLost ? "lost" : "tracked",
                error.translation().norm(), error.angle(), record.keyframe,
                record.registration.overlap, record.registration.cos_theta, record.reason);

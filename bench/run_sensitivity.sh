@@ -36,20 +36,20 @@ row() {
   echo '| setting | fr1/rpy: RPE 1 s [mm / deg], ATE [mm], lost | 7-Scenes, 500 frames | office, Kinect noise, 300 frames |'
   echo '| --- | --- | --- | --- |'
   row defaults ''
-  for setting in points=1050 points=2100 keyframe_points=4200 keyframe_points=8400 \
-    selection.min_gradient=2.8 selection.min_gradient=5.6 \
-    'registration.length_scales=[0.07,0.035,0.0175,0.0105]' \
-    'registration.length_scales=[0.14,0.07,0.035,0.021]' \
-    registration.kernel.color_scale=42 registration.kernel.color_scale=84 \
-    registration.kernel.gradient_scale=42 registration.kernel.gradient_scale=84 \
-    registration.kernel.sparsification=0.0007 registration.kernel.sparsification=0.0014 \
-    registration.coarser_share=0.35 registration.coarser_share=0.7 \
-    keyframe.min_overlap=0.56 keyframe.min_overlap=0.95 \
-    keyframe.max_translation=0.14 keyframe.max_translation=0.28 \
-    keyframe.max_rotation=0.175 keyframe.max_rotation=0.35 \
-    selection.max_depth=4.2 selection.max_depth=8.4 \
-    compensate_depth_delay=false compensate_rolling_shutter=false recovery_scales=0 \
-    registration.kernel.color_kernel=linear; do
-    row "\`$setting\`" "tracker.$setting"
+  for setting in tracker.points=1050 tracker.points=2100 tracker.keyframe_points=4200 tracker.keyframe_points=8400 \
+    expert.tracker.selection.min_gradient=2.8 expert.tracker.selection.min_gradient=5.6 \
+    'tracker.registration.length_scales=[0.07,0.035,0.0175,0.0105]' \
+    'tracker.registration.length_scales=[0.14,0.07,0.035,0.021]' \
+    expert.tracker.registration.kernel.color_scale=42 expert.tracker.registration.kernel.color_scale=84 \
+    expert.tracker.registration.kernel.gradient_scale=42 expert.tracker.registration.kernel.gradient_scale=84 \
+    expert.tracker.registration.kernel.sparsification=0.0007 expert.tracker.registration.kernel.sparsification=0.0014 \
+    expert.tracker.registration.coarser_share=0.35 expert.tracker.registration.coarser_share=0.7 \
+    tracker.keyframe.min_overlap=0.56 tracker.keyframe.min_overlap=0.95 \
+    tracker.keyframe.max_translation=0.14 tracker.keyframe.max_translation=0.28 \
+    tracker.keyframe.max_rotation=0.175 tracker.keyframe.max_rotation=0.35 \
+    tracker.selection.max_depth=4.2 tracker.selection.max_depth=8.4 \
+    tracker.compensate_depth_delay=false tracker.compensate_rolling_shutter=false expert.tracker.recovery_scales=0 \
+    expert.tracker.registration.kernel.color_kernel=linear; do
+    row "\`$setting\`" "$setting"
   done
 } > "$out"

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/se3.h"
 
 namespace cvo_slam {
@@ -29,5 +30,26 @@ struct PointCloud {
     for (auto& feature : features) feature.resize(n);
   }
 };
+
+/// The part of space that a camera sees, whatever stands in between.
+class FieldOfView {
+ public:
+  explicit FieldOfView(const PinholeCamera& camera);
+
+  /// Returns true if a point of the camera frame [m], more than 0.1 m in front of the camera, lies
+  /// in the image. Points further off the axis than the corners of the image never do: Brown's
+  /// polynomial may lead them back into it.
+  [[nodiscard]] bool contains(const Vector3& point) const;
+
+ private:
+  PinholeCamera camera_;
+  double max_radius2_ = 0;  // (x^2 + y^2) / z^2 of the widest ray into the image
+};
+
+/// Returns the share of a cloud's points that lie in a camera's image, whatever stands in between.
+/// Only its first hundred points count: those of a selected cloud are spread over the image as all
+/// are, and a hundred give the share within a few hundredths. 0 for a cloud without points.
+[[nodiscard]] double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
+                                   const PinholeCamera& camera);
 
 }  // namespace cvo_slam

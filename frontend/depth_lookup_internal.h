@@ -14,7 +14,7 @@
 
 namespace cvo_slam {
 
-/// Finds the depth of colour pixels and decides whether it can be trusted.
+/// Looks up the depth of colour pixels if it can be trusted.
 class DepthLookup {
  public:
   /// `rays` holds x/z and y/z of each pixel. All arguments must outlive the object.
@@ -29,7 +29,7 @@ class DepthLookup {
         moved_(T_color_depth.log().norm() > 0),
         options_(options) {}
 
-  /// The point seen at colour pixel (u, v); empty where there is no depth to be trusted.
+  /// Returns the point seen at colour pixel (u, v); empty if it has no depth to be trusted.
   [[nodiscard]] std::optional<Vector3> point(int u, int v) const {
     const std::size_t pixel = 2 * static_cast<std::size_t>(v * depth_.cols + u);
     const Vector3 ray(rays_[pixel], rays_[pixel + 1], 1);
@@ -47,7 +47,7 @@ class DepthLookup {
       const Vector3 expected = T_depth_color_ * (z * ray);
       if (expected.z() <= 0) return std::nullopt;
       const Eigen::Vector2d seen = camera_.project(expected);
-      // The check of trust looks at neighbours.
+      // trusted() looks at neighbours.
       const double border = 1 + kReach;
       if (!(seen.x() > border && seen.y() > border && seen.x() < depth_.cols - 1 - border &&
             seen.y() < depth_.rows - 1 - border)) {
@@ -63,15 +63,15 @@ class DepthLookup {
   }
 
  private:
-  static constexpr int kReach = 2;  // of the check of trust [px]
+  static constexpr int kReach = 2;  // distance of the neighbours that trusted() looks at [px]
 
   [[nodiscard]] double depth_at(int u, int v) const {
     return metres_ * depth_.at<std::uint16_t>(v, u);
   }
 
-  /// True where the depth is in range and no neighbour two pixels around is much nearer or
+  /// Returns true if the depth is in range and no neighbour two pixels around is much nearer or
   /// farther: at a discontinuity colour and depth may belong to different surfaces. Neighbours
-  /// without depth are the shadow that structured light casts at such a place.
+  /// without depth are the shadow of structured light beside a discontinuity.
   [[nodiscard]] bool trusted(int u, int v) const {
     const double z = depth_at(u, v);
     if (!(z >= options_.min_depth && z <= options_.max_depth)) return false;

@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 
-#include "cvo_slam/frontend/gradient_flow_internal.h"
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/pair_sums_internal.h"
+#include "cvo_slam/frontend/solvers_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-/// |log(exp(xi))|_F of a tangent as a 4x4 matrix: the paper's distance on SE(3).
+/// Returns |log(exp(xi))|_F of a tangent as a 4x4 matrix: the paper's distance on SE(3).
 double matrix_norm(const Vector6& xi) {
   return std::sqrt(xi.head<3>().squaredNorm() + 2 * xi.tail<3>().squaredNorm());
 }
@@ -56,28 +59,40 @@ std::optional<double> smallest_positive_stationary_point(const std::array<double
   return *smallest * scale;
 }
 
+void check(const FlowConstants& constants) {
+  const std::pair<const char*, double> positive[] = {{"metric_a2", constants.metric_a2},
+                                                     {"metric_b2", constants.metric_b2},
+                                                     {"max_step", constants.max_step},
+                                                     {"fallback_step", constants.fallback_step}};
+  for (const auto& [name, value] : positive) {
+    if (value > 0 && std::isfinite(value)) continue;
+    throw OptionError(fmt::format("flow.{}={} must be positive and finite", name, value));
+  }
+}
+
 LevelResult gradient_flow(PoseObjective& objective, const SE3& T_fixed_moving_init,
-                          int max_iterations, const FlowOptions& options) {
+                          int max_iterations, const FlowConstants& constants) {
   const double ell2 = objective.length_scale() * objective.length_scale();
   LevelResult state{T_fixed_moving_init, objective.evaluate(T_fixed_moving_init), 0, false};
   while (state.iterations < max_iterations && state.value.matched > 0 && !state.converged) {
     ++state.iterations;
-    const FlowDirection xi = flow_direction(state.value, options.metric_a2, options.metric_b2);
+    const FlowDirection xi = flow_direction(state.value, constants.metric_a2, constants.metric_b2);
     // Step limits and the gradient's threshold are stated for a flow without the factor 1/ell^2:
     // its time runs slower by ell^2.
-    if (ell2 * xi.omega.norm() < options.min_gradient &&
-        ell2 * xi.v.norm() < options.min_gradient) {
+    if (ell2 * xi.omega.norm() < constants.min_gradient &&
+        ell2 * xi.v.norm() < constants.min_gradient) {
       state.converged = true;
       break;
     }
     const auto root =
         smallest_positive_stationary_point(step_expansion(objective, state.T_fixed_moving, xi));
-    const double t = std::min(root.value_or(options.fallback_step * ell2), options.max_step * ell2);
+    const double t =
+        std::min(root.value_or(constants.fallback_step * ell2), constants.max_step * ell2);
     Vector6 step;
     step << -t * xi.v, -t * xi.omega;
     state.T_fixed_moving = (SE3::exp(step) * state.T_fixed_moving).normalized();
     state.value = objective.evaluate(state.T_fixed_moving);
-    state.converged = matrix_norm(step) < options.min_step;
+    state.converged = matrix_norm(step) < constants.min_step;
   }
   return state;
 }

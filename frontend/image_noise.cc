@@ -13,7 +13,7 @@ namespace {
 constexpr int kGridStep = 8;  // [px]
 constexpr std::size_t kLargest = std::size_t{8} * 255;
 constexpr double kGain = 6;                    // the norm of N
-constexpr double kMedianOfDeviation = 0.6745;  // the median of |x| of a normal distribution
+constexpr double kMedianOfDeviation = 0.6745;  // the median of |x| of a standard normal x
 
 int response(const std::uint8_t* above, const std::uint8_t* row, const std::uint8_t* below) {
   return above[-1] - 2 * above[0] + above[1] - 2 * row[-1] + 4 * row[0] - 2 * row[1] + below[-1] -
@@ -35,7 +35,7 @@ double image_noise(const cv::Mat& grey) {
     }
   }
   if (count == 0) return 0;
-  // Whole numbers: each stands for those half a unit around it, 0 for those up to a half.
+  // Responses are whole numbers: each stands for the values half a unit around it.
   std::size_t value = 0;
   int below = 0;
   while (2 * (below + histogram[value]) < count) below += histogram[value++];

@@ -6,12 +6,12 @@
 
 namespace cvo_slam {
 
-/// The standard deviation of the noise of an image, CV_8UC1, in its values; 0 for one that is
-/// smaller than 10x10. From the operator of J. Immerkaer, "Fast Noise Variance Estimation",
-/// Computer Vision and Image Understanding 64(2), 1996, which answers neither to slopes nor to
-/// edges along its axes: N = [1 -2 1; -2 4 -2; 1 -2 1], whose response to noise has six times its
-/// deviation. The median over a grid in place of the mean, so that texture counts only where it
-/// covers half of the image.
+/// Returns the standard deviation of the noise of an image, CV_8UC1, in its values; 0 if the image
+/// is smaller than 10x10 pixels. It is computed with the operator N = [1 -2 1; -2 4 -2; 1 -2 1] of
+/// J. Immerkaer, "Fast Noise Variance Estimation", Computer Vision and Image Understanding 64(2),
+/// 1996, which is blind to slopes and to edges along its axes; its response to noise has six times
+/// the deviation of the noise. The median over a grid takes the place of the mean, so that texture
+/// counts only if it covers half of the image.
 [[nodiscard]] double image_noise(const cv::Mat& grey);
 
 }  // namespace cvo_slam

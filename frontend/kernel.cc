@@ -1,31 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/frontend/kernel.h"
-
 #include <cmath>
+
+#include "cvo_slam/frontend/registration.h"
 
 namespace cvo_slam {
 
 OptionSet describe(KernelOptions& o) {
   return OptionSet()
       .add("sigma", o.sigma, {1e-3, 1e3}, "",
-           "Amplitude of the position kernel. Only its ratio to the sparsification matters; the "
-           "paper's value.")
+           "Amplitude of the position kernel; only its ratio to the sparsification matters. The "
+           "default is the paper's.")
       .add("sparsification", o.sparsification, {1e-9, 1e3}, "",
-           "Position kernel values below this count as zero. The paper's value: pairs up to 2.15 "
-           "length scales apart.")
+           "Position kernel values below this count as zero. The default is the paper's: pairs up "
+           "to "
+           "2.15 length scales apart count.")
       .add("color_kernel", o.color_kernel,
            {{"linear", ColorKernel::kLinear},
             {"squared_exponential", ColorKernel::kSquaredExponential}},
            "Inner product of colours: the paper's linear one, or a squared exponential of colour "
            "and gradient, which tells points apart.")
-      .add(
-          "color_scale", o.color_scale, {1, 1e6}, "8-bit values",
-          "Length scale of the squared exponential on (blue, green, red). Half of it takes changes "
-          "of exposure for other colours, three times it hardly tells colours apart.")
-      .add(
-          "gradient_scale", o.gradient_scale, {1, 1e6}, "8-bit values a pixel",
-          "Length scale of the squared exponential on the image gradient; as that of the colours.");
+      .add("color_scale", o.color_scale, {1, 1e6}, "8-bit values",
+           "Length scale of the squared exponential on (blue, green, red). A smaller one takes "
+           "changes "
+           "of exposure for other colours; a larger one hardly tells colours apart.")
+      .add("gradient_scale", o.gradient_scale, {1, 1e6}, "8-bit values a pixel",
+           "Length scale of the squared exponential on the image gradient.");
 }
 
 double support_radius(const KernelOptions& options, double length_scale) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
 #include "cvo_slam/frontend/motion_model_internal.h"
 
 namespace cvo_slam {
@@ -21,6 +23,22 @@ SE3 MotionModel::motion(const Timestamp& from, const Timestamp& to) const {
 
 SE3 MotionModel::predict(const Timestamp& stamp) const {
   return T_world_camera_ * motion(stamp_, stamp);
+}
+
+void undo_rolling_shutter(const Vector6& velocity, double readout_time, int rows,
+                          PointCloud& cloud) {
+  const double time_of_row = readout_time / rows;
+  const double middle = 0.5 * (rows - 1);
+  const Vector3 v = velocity.head<3>();
+  const Vector3 w = velocity.tail<3>();
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const double dt = time_of_row * (static_cast<double>(cloud.v[i]) - middle);
+    const Vector3 p = cloud.position(i);
+    const Vector3 q = p + dt * (v + w.cross(p));
+    cloud.x[i] = static_cast<float>(q.x());
+    cloud.y[i] = static_cast<float>(q.y());
+    cloud.z[i] = static_cast<float>(q.z());
+  }
 }
 
 }  // namespace cvo_slam

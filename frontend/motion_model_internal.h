@@ -4,27 +4,32 @@
 
 #include <optional>
 
+#include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/timestamp.h"
 
 namespace cvo_slam {
 
-/// Predicts the next pose of the camera under constant velocity.
+/// Predicts the next pose of the camera under constant velocity. Velocities are right tangents a
+/// second, [m/s; rad/s].
 class MotionModel {
  public:
   /// Forgets the velocity.
   void stop() { velocity_.reset(); }
+  /// Returns true if the velocity is known.
   [[nodiscard]] bool is_moving() const { return velocity_.has_value(); }
-  /// Takes a velocity that was found otherwise [right tangent a second].
+  /// Replaces the velocity by one that was found otherwise.
   void assume(const Vector6& velocity) { velocity_ = velocity; }
+  /// Takes the pose of a tracked frame, and the velocity from the pose before.
   void update(const Timestamp& stamp, const SE3& T_world_camera);
 
+  /// Returns T_world_camera at a time.
   [[nodiscard]] SE3 predict(const Timestamp& stamp) const;
-  /// The motion between two times: the camera's pose at `to` in its frame at `from`.
+  /// Returns the motion between two times: the camera's pose at `to` in its frame at `from`.
   [[nodiscard]] SE3 motion(const Timestamp& from, const Timestamp& to) const;
-  /// Right tangent a second; zero where it is not known.
+  /// Returns the velocity; zero if it is not known.
   [[nodiscard]] Vector6 velocity() const { return velocity_.value_or(Vector6::Zero()); }
-  /// The velocity from the last pose to this one.
+  /// Returns the velocity from the last pose to this one.
   [[nodiscard]] Vector6 velocity_to(const Timestamp& stamp, const SE3& T_world_camera) const;
   [[nodiscard]] const SE3& last_pose() const { return T_world_camera_; }
   [[nodiscard]] const Timestamp& last_stamp() const { return stamp_; }
@@ -33,7 +38,15 @@ class MotionModel {
   Timestamp stamp_;
   SE3 T_world_camera_;
   bool started_ = false;
-  std::optional<Vector6> velocity_;  // right tangent a second
+  std::optional<Vector6> velocity_;
 };
+
+/// Moves the points of a camera with a rolling shutter to where it would have seen them at its
+/// stamp, when the row in the middle of the image was read. A row's pixels were seen
+/// (row - middle) / rows * readout_time [s] after the stamp, while the camera moved with `velocity`
+/// (right tangent a second). To first order in the motion: p + dt (v + w x p). The cloud's pixels
+/// tell the rows.
+void undo_rolling_shutter(const Vector6& velocity, double readout_time, int rows,
+                          PointCloud& cloud);
 
 }  // namespace cvo_slam

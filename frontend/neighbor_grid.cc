@@ -9,9 +9,10 @@
 namespace cvo_slam {
 namespace {
 
-/// More columns than this cost more to clear than they save. Clouds so wide get wider columns.
+/// Largest number of columns. More cost more to clear than they save; wide clouds get wider
+/// columns.
 constexpr double kMaxColumns = 1 << 16;
-/// So that rounding to single precision loses no neighbour.
+/// Factor of the search radius, so that rounding to single precision loses no neighbour.
 constexpr double kMargin = 1.01;
 constexpr double kMaxBins = 1 << 16;
 

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "cvo_slam/core/point_cloud.h"
-#include "cvo_slam/frontend/kernel.h"
+#include "cvo_slam/frontend/registration.h"
 
 namespace cvo_slam {
 
@@ -20,7 +20,7 @@ struct GridRun {
   std::uint32_t end;
 };
 
-/// The points of a cloud with finite coordinates by ascending x; keeps its memory.
+/// The finite points of a cloud by ascending x; keeps its memory.
 class PointsByX {
  public:
   void sort(const PointCloud& cloud);
@@ -31,10 +31,10 @@ class PointsByX {
   std::vector<std::uint32_t> indices_;
 };
 
-/// The points of a cloud sorted so that all within the kernel's support of a place are a few
+/// The points of a cloud, sorted so that all within the kernel's support of a position are a few
 /// contiguous runs. Points are binned in (y, z) into square columns as wide as the support radius,
-/// and sorted by x within each column, with a table of where each half radius in x begins: a query
-/// looks at 3x3 columns and at the part of each that the radius reaches.
+/// and sorted by x within each column, with a table of the first point of each half radius in x: a
+/// query looks at 3x3 columns and at the part of each that the radius reaches.
 class NeighborGrid {
  public:
   static constexpr std::size_t kMaxRuns = 9;
@@ -46,9 +46,9 @@ class NeighborGrid {
 
   [[nodiscard]] std::size_t size() const { return order_.size(); }
   [[nodiscard]] double radius() const { return radius_; }
-  /// The sorted points, size() of them and kPadding unused entries, so that vector loads may read
-  /// past the end. Entry k is point order()[k] of the cloud that was given to build(). Pixels are
-  /// not kept.
+  /// Returns the sorted points: size() of them and kPadding unused entries, so that vector loads
+  /// may read past the end. Entry k is point order()[k] of the cloud that was given to build().
+  /// Pixels are not kept.
   [[nodiscard]] const PointCloud& points() const { return points_; }
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
 
@@ -57,8 +57,8 @@ class NeighborGrid {
   std::size_t query(float x, float y, float z, std::array<GridRun, kMaxRuns>& runs) const;
 
  private:
-  /// Its points begin at points_begin; those of its bins of half a radius in x, from the bin
-  /// first_bin on, at bins_[bins_begin], ...; there is one more entry than bins.
+  /// A column's points begin at points_begin. The points of its bins of half a radius in x, from
+  /// bin number first_bin on, begin at bins_[bins_begin], ...; there is one more entry than bins.
   struct Column {
     std::uint32_t points_begin = 0;
     std::uint32_t bins_begin = 0;

@@ -5,14 +5,12 @@
 
 #include <Eigen/Cholesky>
 
-#include "cvo_slam/frontend/newton_internal.h"
+#include "cvo_slam/frontend/solvers_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-using AlignedMatrix6 = Eigen::Matrix<double, 6, 6>;
-
-/// The ascent step A^-1 g; empty where A is not positive definite.
+/// Returns the ascent step A^-1 g; empty if A is not positive definite.
 std::optional<Vector6> solve(const Matrix6& A, const Vector6& g) {
   const Eigen::LLT<AlignedMatrix6> llt{AlignedMatrix6(A)};
   // Also with a finite Cholesky factor the matrix may be singular to rounding.
@@ -42,7 +40,7 @@ class Search {
       const auto newton = solve(state.value.hessian, state.value.gradient);
       if (newton && try_step(*newton, state)) continue;
       const auto majorized = solve(state.value.majorizer, state.value.gradient);
-      // Where not even the majorised step climbs, rounding decides: this is the maximum.
+      // If not even the majorised step climbs, rounding decides: this is the maximum.
       if (!majorized || !try_step(*majorized, state)) state.converged = majorized.has_value();
       if (!majorized) break;
     }
@@ -50,7 +48,8 @@ class Search {
   }
 
  private:
-  /// Takes the step where it raises the objective. One below the tolerance ends the search.
+  /// Takes the step if it raises the objective; returns false if not. A step below the tolerance
+  /// ends the search.
   bool try_step(const Vector6& step, LevelResult& state) {
     const Vector6 clamped = clamp(step, objective_.length_scale());
     const SE3 T = SE3::exp(clamped) * state.T_fixed_moving;

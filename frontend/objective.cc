@@ -12,10 +12,10 @@
 namespace cvo_slam {
 namespace {
 
-/// How much further than the kernel's support neighbours are looked for, as a share of it: a pose
-/// may change by so much before they are looked for again. More finds more that are not needed.
+/// How much further than the kernel's support neighbours are searched, as a share of it: a pose may
+/// change by so much before they are searched again. More finds more that are not needed.
 constexpr double kSkin = 0.25;
-/// More chunks than this give threads nothing, fewer leave some idle.
+/// Largest number of chunks of a sum. More gain nothing; fewer leave threads idle.
 constexpr std::size_t kMaxChunks = 16;
 
 void add(const PairSums& part, PairSums& total) {
@@ -29,7 +29,7 @@ void add(const PairSums& part, PairSums& total) {
 
 Vector3 vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-/// From xx, xy, xz, yy, yz, zz.
+/// Returns the symmetric matrix with the entries xx, xy, xz, yy, yz, zz.
 Matrix3 symmetric(const std::array<double, 6>& a) {
   Matrix3 m;
   m << a[0], a[1], a[2],  //
@@ -42,7 +42,7 @@ Matrix3 from_columns(const std::array<double, 9>& a) {
   return Eigen::Map<const Eigen::Matrix3d>(a.data());
 }
 
-/// The formulas are those of ObjectiveValue.
+/// Computes the formulas of ObjectiveValue.
 ObjectiveValue assemble(const PairSums& sums, double ell) {
   ObjectiveValue result;
   result.value = sums.value;
@@ -82,12 +82,6 @@ void Objective::build(const PointCloud& fixed, const KernelOptions& kernel, doub
   PointsByX by_x;
   by_x.sort(fixed);
   build(fixed, by_x, fixed.size(), kernel, length_scale);
-}
-
-ObjectiveValue Objective::evaluate(const PointCloud& moving, const SE3& T_fixed_moving,
-                                   const Executor& executor) const {
-  PairTable pairs;
-  return PoseObjective(*this, moving, moving.size(), pairs, executor).evaluate(T_fixed_moving);
 }
 
 double squared_norm(const NeighborGrid& grid, const PointCloud& cloud, const KernelOptions& kernel,

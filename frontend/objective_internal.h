@@ -9,16 +9,16 @@
 #include "cvo_slam/core/parallel.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/frontend/kernel.h"
 #include "cvo_slam/frontend/neighbor_grid_internal.h"
 #include "cvo_slam/frontend/pair_table_internal.h"
+#include "cvo_slam/frontend/registration.h"
 
 namespace cvo_slam {
 
 /// The objective F(T) = sum_ij c_ij k(x_i, T z_j) of CVO and its derivatives with respect to a left
 /// perturbation (v, w) of T, q_j = T z_j, r = x_i - q_j, w_ij = c_ij k_ij, J = [I, -q^].
 struct ObjectiveValue {
-  /// sum c max(k - sparsification, 0): what the hard threshold leaves continuous, so that it can be
+  /// sum c max(k - sparsification, 0): continuous in spite of the hard threshold, so that it can be
   /// compared between poses; its derivatives are those of F inside the support.
   double value = 0;
   double inner_product = 0;  ///< F = sum w
@@ -33,7 +33,7 @@ struct ObjectiveValue {
 /// One fixed cloud at one length scale.
 class Objective {
  public:
-  /// Takes the first `count` points of `fixed`; `by_x` is of all of them.
+  /// Takes the first `count` points of `fixed`; `by_x` holds all of them.
   void build(const PointCloud& fixed, const PointsByX& by_x, std::size_t count,
              const KernelOptions& kernel, double length_scale);
   void build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale);
@@ -41,8 +41,6 @@ class Objective {
   [[nodiscard]] double length_scale() const { return length_scale_; }
   [[nodiscard]] const KernelOptions& kernel() const { return kernel_; }
   [[nodiscard]] const NeighborGrid& grid() const { return grid_; }
-  [[nodiscard]] ObjectiveValue evaluate(const PointCloud& moving, const SE3& T_fixed_moving,
-                                        const Executor& executor) const;
 
  private:
   KernelOptions kernel_;
@@ -50,23 +48,24 @@ class Objective {
   NeighborGrid grid_;
 };
 
-/// |f|^2 of the first `count` points of a cloud with this kernel and length scale.
+/// Returns |f|^2 of a cloud, whose points are in the grid, with this kernel and length scale.
 [[nodiscard]] double squared_norm(const NeighborGrid& grid, const PointCloud& cloud,
                                   const KernelOptions& kernel, double length_scale,
                                   const Executor& executor);
 
-/// The objective as a function of the pose of one moving cloud. Pairs are looked for where a pose
+/// The objective as a function of the pose of one moving cloud. Pairs are searched again if a pose
 /// leaves the surroundings of the last search.
 class PoseObjective {
  public:
-  /// Of the first `count` moving points. All arguments must outlive it; `pairs` is memory to use.
+  /// Uses the first `count` moving points. All arguments must outlive the object; `pairs` is memory
+  /// to use.
   PoseObjective(const Objective& objective, const PointCloud& moving, std::size_t count,
                 PairTable& pairs, const Executor& executor);
 
   [[nodiscard]] const KernelOptions& kernel() const { return objective_.kernel(); }
   [[nodiscard]] double length_scale() const { return objective_.length_scale(); }
   [[nodiscard]] ObjectiveValue evaluate(const SE3& T_fixed_moving);
-  /// The pairs for this pose.
+  /// Returns the pairs at this pose.
   [[nodiscard]] const PairTable& pairs(const SE3& T_fixed_moving);
 
  private:

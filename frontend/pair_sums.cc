@@ -41,7 +41,7 @@ HWY_INLINE void for_each_neighbor(const NeighborGrid& grid, const Vector3& posit
   }
 }
 
-/// Makes room for `more` entries and the rest of a vector.
+/// Makes room for `more` entries and the unused rest of a vector.
 void reserve(NeighborLists& lists, std::size_t more) {
   const std::size_t needed = lists.used + more + PairTable::kLanes;
   if (lists.x.size() >= needed) return;
@@ -64,7 +64,7 @@ void find_all(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_f
                       [&](std::size_t k, auto inside, const Point& x, Floats) HWY_ATTR {
                         reserve(lists, hn::Lanes(kTag));
                         const Floats c = label_products<kColor>(constants, grid.points(), k, point);
-                        // Compressing in a register: stores that compress are slow on some CPUs.
+                        // Compress in a register: stores that compress are slow on some CPUs.
                         const auto append = [&](Floats v, std::vector<float>& to) HWY_ATTR {
                           hn::StoreU(hn::Compress(v, inside), kTag, to.data() + lists.used);
                         };
@@ -101,14 +101,14 @@ double inner_products(const NeighborGrid& grid, const PointCloud& moving,
 
 using PairTotals = Totals<sizeof(PairSums) / sizeof(double)>;
 
-/// Sums of one moving point a lane.
+/// The sums of several moving points, one a lane.
 struct LaneSums {
   Floats matched, value, w;
   Point r;           ///< sum w r
-  Point rx, ry, rz;  ///< rows of sum w r r^T; of ry.x, rz.x and rz.y there is no need
+  Point rx, ry, rz;  ///< rows of sum w r r^T; ry.x, rz.x and rz.y are not needed
 };
 
-/// The positions in a row or group from a lane on.
+/// Loads the positions of a row or group from a lane on.
 template <typename Positions>
 HWY_INLINE Point load(const Positions& from, std::size_t lane) {
   return {hn::Load(kTag, from.x.data() + lane), hn::Load(kTag, from.y.data() + lane),
@@ -226,12 +226,12 @@ PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const Kern
   return std::bit_cast<PairSums>(totals.reduce());
 }
 
-/// A vector that is the same for all points.
+/// Broadcasts a vector that is the same for all points.
 HWY_INLINE Point broadcast(const Vector3& p) {
   return {broadcast(p.x()), broadcast(p.y()), broadcast(p.z())};
 }
 
-/// What the flow gives a moving point, for sum_expansion().
+/// The terms of sum_expansion() that depend on the moving point alone.
 struct PointFlow {
   PointFlow(const Point& omega, const Point& v, const Point& q)
       : u(cross(omega, q) + v),
@@ -289,7 +289,7 @@ std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_m
         const auto inside = hn::Gt(k, constants.threshold);
         const Floats w =
             hn::IfThenElseZero(inside, hn::Mul(k, hn::Load(kTag, row.c.data() + lane)));
-        // Without the check 0 times the square of a far-away padding could be 0 times infinity.
+        // Without the check, 0 times the square of a far-away padding could be 0 times infinity.
         const Point near{hn::IfThenElseZero(inside, r.x), hn::IfThenElseZero(inside, r.y),
                          hn::IfThenElseZero(inside, r.z)};
         add_pair(flow, inv2, near, w, sum);

@@ -10,15 +10,15 @@
 
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/frontend/kernel.h"
 #include "cvo_slam/frontend/neighbor_grid_internal.h"
 #include "cvo_slam/frontend/pair_table_internal.h"
+#include "cvo_slam/frontend/registration.h"
 
 namespace cvo_slam {
 
 /// Sums over the pairs of a table that are inside the kernel's support, with moved points
 /// q_j = T z_j, r = x_i - q_j, w = c k, s_j = sum_i w r / ell^2 and
-/// A_j = sum_i (w / ell^2 I - w / ell^4 r r^T). All that the objective's derivatives need.
+/// A_j = sum_i (w / ell^2 I - w / ell^4 r r^T): all that the objective's derivatives need.
 struct PairSums {
   double value = 0;    ///< sum c (k - sparsification)
   double w = 0;        ///< sum w
@@ -33,15 +33,15 @@ struct PairSums {
   std::array<double, 6> wqq{};  ///< w q q^T: xx, xy, xz, yy, yz, zz
 };
 
-/// Sums the groups [begin, end) of a table at a pose. Single precision within a moving point,
-/// double across points; SIMD chosen at run time. The order of the sums depends on the SIMD width
-/// alone.
+/// Sums the groups [begin, end) of a table at a pose, in single precision within a moving point and
+/// in double precision across points. The instruction set is chosen at run time; the order of the
+/// sums depends on its vector width alone.
 PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
                    double length_scale, std::size_t begin, std::size_t end);
 
-/// G(t) = F(h exp(t xi)) - F(h) to fourth order in t, for h = T^-1 and the flow u = omega x q + v
-/// of the moved points q: the coefficients of t, t^2, t^3, t^4. With ln k along the flow beta t +
-/// gamma t^2 + delta t^3 + eps t^4,
+/// Returns the coefficients of t, t^2, t^3, t^4 of G(t) = F(h exp(t xi)) - F(h), for h = T^-1 and
+/// the flow u = omega x q + v of the moved points q. With
+/// ln k(t) = ln k(0) + beta t + gamma t^2 + delta t^3 + eps t^4 along the flow,
 ///   beta  = -1/ell^2 <u, r>,                  gamma = -1/(2 ell^2) (|u|^2 - <w^ u, r>),
 ///   delta = -1/(6 ell^2) <w^2 u, r>,          eps = 1/(24 ell^2) (|w^ u|^2 + <w^3 u, r>)
 /// each pair adds w times the coefficients of the exponential series. (The paper's lack the
@@ -56,17 +56,17 @@ void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE
                     const KernelOptions& kernel, std::size_t begin, std::size_t end,
                     NeighborLists& lists);
 
-/// sum_ij c k over the moving points [begin, end), not moved, and the grid's points.
+/// Returns sum_ij c k over the moving points [begin, end), at the identity, and the grid's points.
 double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
                           const KernelOptions& kernel, double length_scale, std::size_t begin,
                           std::size_t end);
 
-/// Highway's bits of the instruction sets that these functions are compiled for, and of the one in
-/// use.
+/// Return Highway's bits of the instruction sets that these functions are compiled for, and of the
+/// one in use.
 std::int64_t compiled_simd_targets();
 std::int64_t simd_target_in_use();
 
-/// exp(x) for each x <= 0, as the sums compute it (for tests of its error).
+/// Returns exp(x) for each x <= 0 as the sums compute it, so that tests can measure its error.
 std::vector<float> simd_exp(std::span<const float> x);
 
 }  // namespace cvo_slam

@@ -10,7 +10,7 @@ namespace cvo_slam {
 namespace {
 
 constexpr std::size_t kChunk = 256;
-/// Further than any neighbour, and its square still a float. [m]
+/// A coordinate further away than any neighbour, whose square is still a float [m].
 constexpr float kFarAway = 1e6F;
 
 }  // namespace
@@ -43,7 +43,7 @@ bool PairTable::covers(const SE3& T_fixed_moving) const {
 
 /// Sorts the points that have neighbours by how many, so that a group's rows are nearly full.
 void PairTable::group_by_count(std::size_t count) {
-  constexpr std::uint32_t kMost = 1023;  // what has more is left unsorted
+  constexpr std::uint32_t kMost = 1023;  // points with more neighbours are left unsorted
   bucket_.assign(kMost + 2, 0);
   list_begin_.resize(count);
   const auto count_of = [&](std::size_t j) { return lists_[j / kChunk].count[j % kChunk]; };

@@ -10,12 +10,12 @@
 #include "cvo_slam/core/parallel.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/frontend/kernel.h"
 #include "cvo_slam/frontend/neighbor_grid_internal.h"
+#include "cvo_slam/frontend/registration.h"
 
 namespace cvo_slam {
 
-/// The neighbours of some moving points, one list after the other, as a query finds them.
+/// The neighbours of some moving points, one list after the other, in the order of a query.
 struct NeighborLists {
   std::vector<float> x, y, z;        ///< position of the fixed point [m]; more entries than used
   std::vector<float> c;              ///< inner product of the labels
@@ -31,8 +31,8 @@ class PairTable {
   static constexpr std::size_t kLanes = 16;  ///< floats in the widest vector
   using Lanes = std::array<float, kLanes>;
 
-  /// One neighbour of each of a group's moving points; where a point has fewer than others, c is 0
-  /// and the position far away.
+  /// One neighbour of each of a group's moving points. If a point has fewer than others, c is 0 and
+  /// the position far away.
   struct alignas(64) Row {
     Lanes x;
     Lanes y;
@@ -40,7 +40,7 @@ class PairTable {
     Lanes c;
   };
   struct alignas(64) Group {
-    Lanes x;  ///< of the moving points, in their own frame [m]
+    Lanes x;  ///< positions of the moving points, in their own frame [m]
     Lanes y;
     Lanes z;
     std::size_t row_begin;
@@ -48,15 +48,15 @@ class PairTable {
   };
 
   /// Finds the neighbours of the first `count` moving points within the grid's radius, which must
-  /// exceed the kernel's support. Points without any are left out. Keeps its memory for the next
-  /// time.
+  /// exceed the kernel's support. Points without neighbours are left out. The memory is kept for
+  /// the next call.
   void build(const NeighborGrid& grid, const PointCloud& moving, std::size_t count,
              const SE3& T_fixed_moving, const KernelOptions& kernel, double length_scale,
              const Executor& executor);
-  /// Makes the next covers() false.
+  /// Makes covers() false until the next build().
   void clear() { built_ = false; }
 
-  /// True where no pair inside the support at this pose is missing.
+  /// Returns true if no pair inside the support at this pose is missing.
   [[nodiscard]] bool covers(const SE3& T_fixed_moving) const;
 
   [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }

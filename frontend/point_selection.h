@@ -18,69 +18,82 @@ namespace cvo_slam {
 /// Which pixels may become points.
 enum class SelectionMethod {
   kGradient,  ///< the pixel of strongest gradient in each small cell of the image
-  kEdges,     ///< pixels on Canny edges: the paper's
+  kEdges,     ///< pixels on Canny edges: the paper's choice
 };
 
 struct SelectionOptions {
-  SelectionMethod method = SelectionMethod::kGradient;
-  double min_gradient = 4.0;
-  double weak_gradient = 3.0;
-  int few_pixels = 200;
-  double noise_gradient = 2.0;
+  /// Least depth of a point [m]. 0.3 excludes what a Kinect reports closer than it can see; lower
+  /// it for sensors with a short range.
   double min_depth = 0.3;
+  /// Largest depth of a point [m]. A Kinect's error grows with the square of the depth and reaches
+  /// the finest length scale at 6 m; raise it for sensors with a longer range.
   double max_depth = 6.0;
-  double max_depth_step = 0.05;
+  SelectionMethod method = SelectionMethod::kGradient;
+  double min_gradient = 4.0;     ///< [8-bit values a pixel]
+  double weak_gradient = 3.0;    ///< replaces min_gradient in images with few gradients
+  int few_pixels = 200;          ///< number of pixels below which an image has few gradients
+  double noise_gradient = 2.0;   ///< least gradient, in standard deviations of the image noise
+  double max_depth_step = 0.05;  ///< largest step to a neighbour, as a share of the depth
 };
 
 [[nodiscard]] OptionSet describe(SelectionOptions& options);
 
+/// A pixel that may become a point.
+struct PixelCandidate {
+  std::uint16_t u, v;      ///< [px]
+  std::int32_t gradient2;  ///< squared gradient magnitude, on Sobel's scale
+};
+
+/// A frame with all that selecting its points needs. PointSelector::prepare() makes it once a
+/// frame; the pictures in it are copies that nobody else writes to.
+struct PreparedFrame {
+  RgbdFrame images;
+  /// Factor by which the image is brighter than the first one of the sequence because of the
+  /// camera's exposure. select() divides the colours by it.
+  double exposure_gain = 1;
+  cv::Mat dx, dy;                          ///< Sobel's gradients, CV_16SC1
+  std::vector<PixelCandidate> candidates;  ///< a fixed number of places a bucket, strongest first
+  std::vector<std::uint8_t> counts;        ///< number of candidates of each bucket
+};
+
 /// Semi-dense point selection: pixels of high image gradient with a depth that can be trusted,
 /// evenly spread over the image, back-projected to points with features. The points come in rounds
 /// through square buckets of the image, each of which gives its strongest pixel left, so that every
-/// prefix of a cloud is evenly spread too. An object serves the frames of one camera and keeps its
-/// memory between them.
+/// prefix of a cloud is evenly spread too. One object serves the frames of one camera.
 class PointSelector {
  public:
   PointSelector(const Camera& camera, const SelectionOptions& options);
 
-  /// Ranks the pixels of a frame, whose images must be of the camera's size (see check_images())
-  /// and are referred to until the next call.
-  void prepare(const RgbdFrame& frame);
-  /// At most `count` points of the prepared frame. Where the camera moved between the stamps of the
-  /// two images, T_color_depth is that motion (the pose of the camera at the depth image's time in
-  /// its frame at the colour image's time) and each pixel's depth is looked up where the depth
-  /// image saw it.
-  void select(int count, const SE3& T_color_depth, PointCloud& cloud);
+  /// Copies a frame, whose images must be of the camera's size (see check_images()), and ranks its
+  /// pixels. The memory of `reused` serves again, except images that somebody else still holds.
+  [[nodiscard]] PreparedFrame prepare(const RgbdFrame& frame, PreparedFrame reused = {});
+
+  /// Selects at most `count` points of a prepared frame into `cloud`. If the camera moved between
+  /// the stamps of the two images, T_color_depth is that motion (the pose of the camera at the
+  /// depth image's time in its frame at the colour image's time), and each pixel's depth is looked
+  /// up where the depth image saw it.
+  void select(const PreparedFrame& frame, int count, const SE3& T_color_depth, PointCloud& cloud);
 
  private:
-  struct Candidate {
-    std::uint16_t u, v;      ///< pixel
-    std::int32_t gradient2;  ///< squared gradient magnitude, on Sobel's scale
-  };
-
-  void rank(double min_gradient);
-  void offer(std::size_t bucket, const Candidate& candidate);
-  void append(const Candidate& candidate, const Vector3& point, PointCloud& cloud) const;
+  void rank(double min_gradient, PreparedFrame& frame);
+  void offer(std::size_t bucket, const PixelCandidate& candidate, PreparedFrame& frame) const;
 
   Camera camera_;
   SelectionOptions options_;
   std::vector<float> rays_;  // x/z, y/z of each pixel
-  cv::Mat color_, depth_;    // of the prepared frame
-  cv::Mat grey_, dx_, dy_, edges_;
   int bucket_columns_ = 0;
-  std::vector<Candidate> band_;        // the strongest pixel of each cell of a row of cells
-  std::vector<Candidate> candidates_;  // kBucketCells^2 places a bucket, strongest first
-  std::vector<std::uint8_t> counts_;   // candidates of each bucket
-  std::vector<std::uint8_t> next_;     // of each bucket, while selecting
-  std::vector<std::uint32_t> round_;   // order of the buckets within a round
+  std::vector<std::uint32_t> round_;  // order of the buckets within a round
+  cv::Mat grey_, edges_;              // memory of prepare()
+  std::vector<PixelCandidate> band_;  // the strongest pixel of each cell of a row; memory
+  std::vector<std::uint8_t> next_;    // next candidate of each bucket; memory of select()
 };
 
-/// The points of a single frame; see PointSelector.
+/// Selects the points of a single frame; see PointSelector.
 [[nodiscard]] PointCloud select_points(const RgbdFrame& frame, const Camera& camera, int count,
                                        const SelectionOptions& options = {},
                                        const SE3& T_color_depth = {});
 
-/// What makes a frame's images unusable for this camera; empty where nothing does.
+/// Returns what makes a frame's images unusable for this camera; empty if nothing does.
 [[nodiscard]] std::string check_images(const RgbdFrame& frame, const Camera& camera);
 
 }  // namespace cvo_slam

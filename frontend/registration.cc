@@ -7,17 +7,18 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/depth_uncertainty_internal.h"
-#include "cvo_slam/frontend/gradient_flow_internal.h"
-#include "cvo_slam/frontend/newton_internal.h"
+#include "cvo_slam/frontend/solvers_internal.h"
 
 namespace cvo_slam {
 
 struct Registration::Impl {
   RegistrationOptions options;
   Executor executor;
-  std::vector<Objective> levels;
+  std::vector<Objective> levels;  // the fixed cloud at each length scale, coarse to fine
   double fixed_squared_norm = 0;  // at the last level
   PairTable pairs;                // memory
   NeighborGrid moving_grid;       // memory
@@ -28,6 +29,7 @@ struct Registration::Impl {
     return options.max_iterations[std::min(level, options.max_iterations.size() - 1)];
   }
 
+  /// Returns how many of a cloud's points a level uses.
   [[nodiscard]] std::size_t points_at(std::size_t level, std::size_t size) const {
     const auto coarser = static_cast<double>(options.length_scales.size() - 1 - level);
     const double share = std::pow(options.coarser_share, coarser);
@@ -51,36 +53,35 @@ RegistrationResult failed(const SE3& T, const std::string& reason) {
   return result;
 }
 
-/// The information of a right perturbation, T exp(xi), from a Hessian for a left one, exp(xi) T.
+/// Converts the information of a left perturbation, exp(xi) T, to that of a right one, T exp(xi).
 Matrix6 right_information(const Matrix6& left, const SE3& T) {
   const Matrix6 adjoint = T.adjoint();
   return adjoint.transpose() * left * adjoint;
 }
 
-/// The negative Hessian, or where it is not positive definite, as away from a maximum, the
-/// majorising one, which is.
+/// Returns the negative Hessian, or the majorising one if the former is not positive definite, as
+/// away from a maximum. The majorising one always is.
 Matrix6 curvature(const ObjectiveValue& value) {
-  const Eigen::LLT<Eigen::Matrix<double, 6, 6>> llt{Eigen::Matrix<double, 6, 6>(value.hessian)};
+  const Eigen::LLT<AlignedMatrix6> llt{AlignedMatrix6(value.hessian)};
   return llt.info() == Eigen::Success ? value.hessian : value.majorizer;
 }
 
-/// True where the points leave a motion free: too few of them, or all on a line. The majorising
-/// Hessian is that of point-to-point distances, whatever the weights.
+/// Returns true if the points leave a motion free: too few of them, or all on a line. The
+/// majorising Hessian is that of point-to-point distances, whatever the weights.
 bool is_undetermined(const ObjectiveValue& value) {
   // Single precision leaves 1e-7; points 5 m away within 5 mm of a line give 1e-6.
   constexpr double kMinEigenvalueRatio = 1e-6;
-  const Eigen::Matrix<double, 6, 6> majorizer = value.majorizer;
+  const AlignedMatrix6 majorizer = value.majorizer;
   const Vector6 eigenvalues =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(majorizer, Eigen::EigenvaluesOnly)
+      Eigen::SelfAdjointEigenSolver<AlignedMatrix6>(majorizer, Eigen::EigenvaluesOnly)
           .eigenvalues();
   return !(eigenvalues.minCoeff() > kMinEigenvalueRatio * eigenvalues.maxCoeff());
 }
 
-/// The information where an independent error of covariance `added` comes on top.
+/// Returns the information after an independent error of covariance `added` comes on top.
 Matrix6 with_added(const Matrix6& information, const Matrix6& added) {
-  using Aligned = Eigen::Matrix<double, 6, 6>;
-  const Aligned own = Aligned(information).llt().solve(Aligned::Identity());
-  const Aligned sum = Aligned(own + added).llt().solve(Aligned::Identity());
+  const AlignedMatrix6 own = AlignedMatrix6(information).llt().solve(AlignedMatrix6::Identity());
+  const AlignedMatrix6 sum = AlignedMatrix6(own + added).llt().solve(AlignedMatrix6::Identity());
   return 0.5 * (sum + sum.transpose());
 }
 
@@ -91,6 +92,47 @@ RegistrationOptions checked(RegistrationOptions options) {
 }
 
 }  // namespace
+
+OptionSet describe(RegistrationOptions& o) {
+  return OptionSet()
+      .add("length_scales", o.length_scales, {1e-4, 10}, "m",
+           "Length scales of the position kernel, coarse to fine, run one after the other for "
+           "every pair of clouds. The first reaches motions that the prediction misses by a "
+           "decimetre; the last is a Kinect's depth noise at 3 m.")
+      .expert()
+      .add("solver", o.solver, {{"flow", Solver::kFlow}, {"newton", Solver::kNewton}},
+           "Solver: newton finds the same maximum as the paper's flow in a fraction of the "
+           "iterations.")
+      .add("kernel", describe(o.kernel))
+      .add("max_iterations", o.max_iterations, {1, 10000}, "",
+           "Largest number of iterations at each length scale; the last entry also holds for those "
+           "after it.")
+      .add("coarser_share", o.coarser_share, {0.05, 1}, "",
+           "Share of the points of the next finer length scale that a length scale uses: twice as "
+           "wide a kernel reaches four times the points of a surface.")
+      .add("tolerance", o.tolerance, {0, 1}, "m and rad",
+           "A Newton step that is shorter in translation and in rotation ends a length scale.")
+      .add("coarse_tolerance", o.coarse_tolerance, {0, 10}, "",
+           "The tolerance of a coarse length scale, as a share of the next length scale.")
+      .add(
+          "depth_noise", o.depth_noise, {0, 1}, "1/m",
+          "Standard deviation of a depth z over z^2, for the information matrix: twice a Kinect's, "
+          "as its noise is correlated and both clouds have it.")
+      .add("information_scale", o.information_scale, {1e-6, 1e6}, "",
+           "Factor of the information matrix, calibrated with depth_noise on synthetic rooms with "
+           "a Kinect's noise; see docs/tracking.md.");
+}
+
+void check_consistency(const RegistrationOptions& options) {
+  const double peak = options.kernel.sigma * options.kernel.sigma;
+  if (options.kernel.sparsification >= peak) {
+    throw OptionError(
+        fmt::format("kernel.sparsification={} leaves nothing of a kernel whose peak is sigma^2={}; "
+                    "take a smaller one",
+                    options.kernel.sparsification, peak));
+  }
+  check(options.flow);
+}
 
 Registration::Registration(const RegistrationOptions& options, int threads)
     : impl_(std::make_unique<Impl>(Impl{checked(options), Executor(threads), {}, 0, {}, {}, {}})) {}
@@ -111,10 +153,10 @@ void Registration::Impl::set_fixed(const PointCloud& fixed) {
       squared_norm(finest.grid(), fixed, finest.kernel(), finest.length_scale(), executor);
 }
 
-/// A level before the last one need only lead well into the reach of the next.
+/// Returns when the search at a level ends. A coarse level need only lead well into the reach of
+/// the next one.
 StopRule Registration::Impl::stop_rule(std::size_t level) const {
-  StopRule rule{max_iterations(level), options.tolerance_translation, options.tolerance_rotation,
-                false};
+  StopRule rule{max_iterations(level), options.tolerance, options.tolerance, false};
   if (level + 1 == levels.size()) return rule;
   const double enough = options.coarse_tolerance * levels[level + 1].length_scale();
   rule.translation = std::max(rule.translation, enough);
@@ -130,7 +172,7 @@ LevelResult Registration::Impl::run_level(std::size_t level, const PointCloud& m
   return gradient_flow(objective, T_init, max_iterations(level), options.flow);
 }
 
-/// All levels but the last; a level without overlap changes nothing.
+/// Runs all levels but the last; a level without overlap changes nothing.
 Approach Registration::Impl::approach(const PointCloud& moving, const SE3& T_init, int skip) {
   Approach result{T_init, 0};
   for (auto level = static_cast<std::size_t>(skip); level + 1 < levels.size(); ++level) {

@@ -11,45 +11,74 @@
 #include "cvo_slam/core/parallel.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/frontend/kernel.h"
 
 namespace cvo_slam {
+
+/// The inner product of the labels of two points.
+enum class ColorKernel {
+  kLinear,              ///< 1e-5 <rgb, rgb>: the paper's choice
+  kSquaredExponential,  ///< exp(-|d color|^2 / (2 s_c^2) - |d gradient|^2 / (2 s_g^2))
+};
+
+/// The kernels of the function space: k(x, y) = sigma^2 exp(-|x - y|^2 / (2 ell^2)) on positions,
+/// and the inner product c of labels. A pair of points weighs c k.
+struct KernelOptions {
+  double sigma = 0.1;
+  /// Least value of k that counts, so that pairs further apart than
+  /// ell sqrt(2 ln(sigma^2 / sparsification)) need not be looked at.
+  double sparsification = 1e-3;
+  ColorKernel color_kernel = ColorKernel::kSquaredExponential;
+  double color_scale = 60.0;     ///< s_c, on 8-bit values
+  double gradient_scale = 60.0;  ///< s_g, on 8-bit values a pixel
+};
+
+/// Returns the distance beyond which the sparsified kernel is zero [m].
+[[nodiscard]] double support_radius(const KernelOptions& options, double length_scale);
+
+/// Returns c, the inner product of the labels of a[i] and b[j].
+[[nodiscard]] double label_product(const KernelOptions& options, const PointCloud& a, std::size_t i,
+                                   const PointCloud& b, std::size_t j);
 
 enum class Solver {
   kFlow,    ///< the paper's gradient flow on SE(3)
   kNewton,  ///< second-order steps on the same objective
 };
 
-/// The paper's gradient flow: M. Ghaffari et al., "Continuous Direct Sparse Visual Odometry from
-/// RGB-D Images", RSS 2019.
-struct FlowOptions {
-  double metric_a2 = 7.0;
-  double metric_b2 = 7.0;
-  double max_step = 0.8;
-  double fallback_step = 0.2;
-  double min_step = 1e-5;
-  double min_gradient = 5e-5;
+/// Constants of the paper's gradient flow: M. Ghaffari et al., "Continuous Direct Sparse Visual
+/// Odometry from RGB-D Images", RSS 2019. They can be changed in code, not by options.
+struct FlowConstants {
+  double metric_a2 = 7.0;      ///< a^2, weight of rotations in the metric
+  double metric_b2 = 7.0;      ///< b^2, weight of translations in the metric
+  double max_step = 0.8;       ///< longest step in time of the flow without 1/ell^2
+  double fallback_step = 0.2;  ///< step if the expansion has no stationary point
+  double min_step = 1e-5;      ///< a step with a smaller distance |log|_F on SE(3) is the last one
+  double min_gradient = 5e-5;  ///< a flow without 1/ell^2 that is slower in both parts has ended
 };
 
 struct RegistrationOptions {
+  /// Length scales of the position kernel [m], run one after the other for every pair of clouds,
+  /// coarse to fine. The first reaches motions that the prediction misses by a decimetre; the last
+  /// is a Kinect's depth noise at 3 m. Scale them with the depth noise of the sensor; coarse scales
+  /// alone are biased towards dense regions.
+  std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015};
   Solver solver = Solver::kNewton;
   KernelOptions kernel;
-  std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015};
-  /// Most iterations at each length scale; the last entry holds for the scales after it.
+  /// Largest number of iterations at each length scale; the last entry holds for the scales after
+  /// it.
   std::vector<int> max_iterations = {5, 5, 5, 10};
-  double coarser_share = 0.5;
-  double tolerance_translation = 1e-4;
-  double tolerance_rotation = 1e-4;
-  double coarse_tolerance = 0.1;
-  double depth_noise = 0.0065;
-  double information_scale = 3;
-  FlowOptions flow;
+  double coarser_share = 0.5;     ///< share of the points of the next finer scale
+  double tolerance = 1e-4;        ///< a shorter Newton step ends a length scale [m] and [rad]
+  double coarse_tolerance = 0.1;  ///< the same at coarse scales, as a share of the next scale
+  double depth_noise = 0.0065;    ///< of the information matrix: sigma_z = depth_noise z^2 [1/m]
+  double information_scale = 3;   ///< factor of the information matrix
+  FlowConstants flow;
 };
 
-[[nodiscard]] OptionSet describe(FlowOptions& options);
+[[nodiscard]] OptionSet describe(KernelOptions& options);
 [[nodiscard]] OptionSet describe(RegistrationOptions& options);
 
-/// Throws OptionError where options that are each in range contradict one another.
+/// Throws OptionError if options that are each in range contradict one another, or a constant of
+/// the flow is impossible.
 void check_consistency(const RegistrationOptions& options);
 
 enum class RegistrationStatus {
@@ -65,7 +94,7 @@ struct RegistrationResult {
   int iterations = 0;  ///< over all length scales
   /// sum c max(k - sparsification, 0) at the final pose and length scale.
   double objective = 0;
-  /// Share of moving points with a fixed point inside the kernel's support at the final length
+  /// Share of the moving points with a fixed point inside the kernel's support at the final length
   /// scale, in [0, 1].
   double overlap = 0;
   /// <f_X, h.f_Z> / (|f_X| |f_Z|) at the final length scale, in [0, 1].
@@ -74,22 +103,22 @@ struct RegistrationResult {
   /// [translation; rotation]: the negative second derivative of the objective, scaled so that a
   /// moving point counts as one measurement with the final length scale and its depth noise as
   /// standard deviation, times information_scale, less what the depth noise adds along the rays;
-  /// positive definite. Where the search ended away from a maximum it is that of the majorising
-  /// least squares.
+  /// positive definite. If the search ended away from a maximum, it is the information of the
+  /// majorising least squares.
   Matrix6 information = Matrix6::Zero();
 };
 
-/// Where a registration stands before its last length scale.
+/// The state of a registration before its last length scale.
 struct Approach {
   SE3 T_fixed_moving;
   int iterations = 0;
 };
 
-/// Registration against one fixed cloud: neighbour search is prepared once per length scale and
-/// serves every moving cloud.
+/// Registration to one fixed cloud: neighbour search is prepared once per length scale and serves
+/// every moving cloud. One call at a time: an object works in memory of its own.
 class Registration {
  public:
-  /// Throws OptionError where an option is out of range.
+  /// Throws OptionError if an option is out of range.
   explicit Registration(const RegistrationOptions& options = {}, int threads = 1);
   ~Registration();
   Registration(Registration&& other) noexcept;
@@ -97,16 +126,16 @@ class Registration {
 
   /// Makes `fixed` the cloud that others are aligned to. It is copied.
   void set_fixed(const PointCloud& fixed);
-  /// The pose that maps `moving` onto the fixed cloud, searched from T_fixed_moving_init.
+  /// Returns the pose that maps `moving` onto the fixed cloud, searched from T_fixed_moving_init.
   /// Never throws: clouds without points or without overlap give kFailed and a reason.
-  /// One call at a time: it works in memory of the object.
   /// `skip` leaves out that many of the coarsest length scales, but not the last one.
   [[nodiscard]] RegistrationResult align(const PointCloud& moving, const SE3& T_fixed_moving_init,
                                          int skip = 0);
-  /// align() in two parts, for a caller that can improve the moving cloud where its pose is nearly
-  /// known: all length scales but the last, and the last alone.
+  /// Runs all length scales but the last. approach() and refine() are align() in two parts, for a
+  /// caller that can improve the moving cloud once its pose is nearly known.
   [[nodiscard]] Approach approach(const PointCloud& moving, const SE3& T_fixed_moving_init,
                                   int skip = 0);
+  /// Runs the last length scale.
   [[nodiscard]] RegistrationResult refine(const PointCloud& moving, const Approach& start);
 
  private:
@@ -114,7 +143,7 @@ class Registration {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The pose T_fixed_moving that best maps `moving` onto `fixed`.
+/// Returns the pose T_fixed_moving that best maps `moving` onto `fixed`.
 [[nodiscard]] RegistrationResult align(const PointCloud& fixed, const PointCloud& moving,
                                        const SE3& T_fixed_moving_init = {},
                                        const RegistrationOptions& options = {});

@@ -13,7 +13,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Highway's bit of each path; 0 where this processor's family has none.
+/// Returns Highway's bit of a path; 0 if this processor's family has none.
 std::int64_t target_of(SimdPath path) {
   switch (path) {
     case SimdPath::kBest:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The vocabulary of pair_sums.cc: vectors of floats, the kernel, points, sums. Compiled once for
+// Vector types of pair_sums.cc: floats, the kernel, points, sums. This file is compiled once for
 // each instruction set, hence Highway's guard in place of a #pragma once.
 #if defined(CVO_SLAM_FRONTEND_SIMD_INTERNAL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CVO_SLAM_FRONTEND_SIMD_INTERNAL_H
@@ -17,7 +17,7 @@
 
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/frontend/kernel.h"
+#include "cvo_slam/frontend/registration.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cvo_slam::HWY_NAMESPACE {
@@ -31,9 +31,9 @@ constexpr FloatTag kTag;
 
 HWY_INLINE Floats broadcast(double value) { return hn::Set(kTag, static_cast<float>(value)); }
 
-/// exp(x) for x <= 0: 2^n e^r with |r| <= ln(2) / 2 and Taylor's polynomial of degree 6 for e^r,
-/// whose relative error is below r^7 / 5040 = 1.2e-7; with rounding, 2.3e-7 was measured. Smaller
-/// than e^-80 counts as e^-80.
+/// Returns exp(x) for x <= 0 as 2^n e^r with |r| <= ln(2) / 2 and Taylor's polynomial of degree 6
+/// for e^r, whose relative error is below r^7 / 5040 = 1.2e-7; with rounding, 2.3e-7 was measured.
+/// The result is never less than e^-80.
 HWY_INLINE Floats exp_of_negative(Floats x) {
   constexpr float kSmallest = -80.0F;
   constexpr float kLog2E = 1.44269504F;
@@ -115,7 +115,7 @@ class Motion {
   std::array<float, 3> t_;
 };
 
-/// A moving point's place in the fixed frame and its labels, broadcast.
+/// A moving point's position in the fixed frame and its labels, broadcast.
 struct MovedPoint {
   MovedPoint(const PointCloud& cloud, std::size_t j, const Vector3& position)
       : q{broadcast(position.x()), broadcast(position.y()), broadcast(position.z())},

@@ -3,78 +3,181 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/options.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/trajectory.h"
+#include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/frontend/registration.h"
-#include "cvo_slam/frontend/tracker_options.h"
 
 namespace cvo_slam {
+
+/// What a frame is registered to.
+enum class Reference {
+  kKeyframe,
+  kPreviousFrame,  ///< the paper's choice
+};
+
+/// Where a registration starts.
+enum class Prediction {
+  kConstantVelocity,
+  kIdentity,  ///< the pose of the keyframe: the paper's choice
+};
+
+/// When a tracked frame becomes the next keyframe: when one of the three limits is passed.
+struct KeyframeOptions {
+  /// Least overlap with the keyframe, as a share of the overlap that can be expected, in [0, 1].
+  /// The expected overlap is the best one of the last keyframes, because some points never find a
+  /// partner where depth is missing in patches. 0.8 keeps the drift low on all test sequences;
+  /// 0.56 raises fr1/rpy's RPE by a quarter. Raise it for fast turns, lower it to get fewer
+  /// keyframes.
+  double min_overlap = 0.8;
+  /// Largest distance from the keyframe [m]. Near objects look different from further away than
+  /// 0.20. Raise it where everything is several metres away.
+  double max_translation = 0.20;
+  /// Largest rotation against the keyframe [rad]. 0.25 is a quarter of a Kinect's field of view;
+  /// raise it for a camera with a wider one.
+  double max_rotation = 0.25;
+};
+
+/// When a frame counts as lost, and what happens then.
+struct LostOptions {
+  /// Least number of points of a frame. Six degrees of freedom need eight points each; a wall
+  /// without texture leaves about a hundred. Raise it where single small objects mislead.
+  int min_points = 50;
+  /// Least overlap of a registration, in [0, 1]; twice as much is asked for after a long loss.
+  /// 0.3 accepts what a fast turn leaves of the keyframe. Raise it where false poses occur.
+  double min_overlap = 0.3;
+  /// Least normalised inner product of the clouds, in [0, 1].
+  double min_cos_theta = 0.1;
+  /// Largest speed of the camera [m/s]. No hand moves a camera faster than 3 m/s: such a step is a
+  /// false registration. Raise it for vehicles and drones.
+  double max_speed = 3.0;
+  /// Largest angular speed of the camera [rad/s]. No hand turns a camera faster than 6 rad/s.
+  double max_angular_speed = 6.0;
+  /// Number of lost frames in a row after which a new submap starts [frames]. 10 frames, a third of
+  /// a second at 30 Hz, bridge a hand before the camera. Raise it for higher frame rates.
+  int restart_after = 10;
+};
+
+struct TrackerOptions {
+  /// Number of points of a frame. Twice as many cost twice the time and gain nothing; lower it for
+  /// slow machines.
+  int points = 1500;
+  /// Number of points of a keyframe. More than of a frame, so that most points of a frame find
+  /// the very same spot of a surface.
+  int keyframe_points = 6000;
+  /// Number of threads of one registration. Results do not depend on it. One thread costs the least
+  /// CPU time; take more where a frame takes longer than the camera's period.
+  int threads = 1;
+  /// True to take the predicted motion between the stamps of the colour and the depth image out of
+  /// the points: sensors without a common clock take the two up to 17 ms apart. Switch it off where
+  /// the stamps of the depth images are not to be trusted.
+  bool compensate_depth_delay = true;
+  /// True to take the motion while the rows were read (Camera::readout_time) out of the points. It
+  /// changes nothing for a camera with a global shutter, whose readout time is 0.
+  bool compensate_rolling_shutter = true;
+  /// True to scale the colours of a frame back where the whole image has become brighter or darker
+  /// by one factor, of more than 15 %, since the frame before. Switch it off for cameras with a
+  /// fixed exposure, where only the light can do that.
+  bool compensate_exposure = true;
+  Reference reference = Reference::kKeyframe;
+  Prediction prediction = Prediction::kConstantVelocity;
+  int recovery_scales = 1;  ///< coarsest length scales that serve only after a failed registration
+  SelectionOptions selection;
+  RegistrationOptions registration;
+  KeyframeOptions keyframe;
+  LostOptions lost;
+};
+
+[[nodiscard]] OptionSet describe(KeyframeOptions& options);
+[[nodiscard]] OptionSet describe(LostOptions& options);
+[[nodiscard]] OptionSet describe(TrackerOptions& options);
+
+/// Throws OptionError if options that are each in range contradict one another.
+void check_consistency(const TrackerOptions& options);
+
+/// Returns the paper's whole protocol: previous frame as reference, identity start, gradient flow,
+/// linear colour kernel, edge points, and its table of constants.
+[[nodiscard]] TrackerOptions paper_options();
 
 enum class TrackingStatus {
   kTracked,
   kLost,  ///< no pose; FrameRecord::reason says why
 };
 
-/// What the tracker has to say of one frame.
+/// The tracker's result for one frame.
 struct FrameRecord {
   std::size_t index = 0;  ///< RgbdFrame::index
   Timestamp stamp;
   TrackingStatus status = TrackingStatus::kLost;
-  std::string reason;  ///< why it is lost; empty where it is tracked
-  SE3 T_world_camera;  ///< valid where tracked
-  /// A new one starts where tracking resumes after too long a loss. Poses of different segments are
-  /// of different worlds.
-  int segment = 0;
-  std::size_t keyframe = 0;     ///< index of the frame it was registered against
-  std::string keyframe_reason;  ///< why it became a keyframe itself; empty where it did not
-  /// An earlier frame that was made the keyframe because this one could not be registered against
-  /// the one there was; empty as a rule.
+  std::string reason;  ///< why the frame is lost; empty if it is tracked
+  SE3 T_world_camera;  ///< valid if the frame is tracked
+  /// Number of the submap. A new one starts where tracking resumes after too long a loss. Poses of
+  /// different submaps have different worlds.
+  int submap = 0;
+  std::size_t keyframe = 0;     ///< index of the frame that this one was registered to
+  std::string keyframe_reason;  ///< why the frame became a keyframe; empty if it did not
+  /// Index of an earlier frame that was made the keyframe because this one could not be registered
+  /// to the one before; empty as a rule.
   std::optional<std::size_t> promoted_keyframe;
-  std::size_t points = 0;           ///< points selected
-  RegistrationResult registration;  ///< against the keyframe; T_fixed_moving = T_keyframe_camera
+  std::size_t points = 0;           ///< number of selected points
+  RegistrationResult registration;  ///< to the keyframe: T_fixed_moving = T_keyframe_camera
 };
 
-/// Told of each keyframe: its frame and its points, at its stamp. They are lent for the call.
-using KeyframeObserver = std::function<void(const RgbdFrame& frame, const PointCloud& cloud)>;
+/// A keyframe whose points are final: frames are registered to them from now on.
+struct TrackerKeyframe {
+  std::size_t frame = 0;                    ///< index of its frame
+  std::shared_ptr<const PointCloud> cloud;  ///< its points, at its stamp
+  RgbdFrame images;  ///< its images; the memory is shared, never written again
+};
+
+/// What Tracker::track() returns for a frame.
+struct TrackedFrame {
+  FrameRecord record;
+  /// The keyframe that became final with this frame; always an earlier frame. Empty as a rule.
+  std::optional<TrackerKeyframe> keyframe;
+};
 
 /// Tracks the pose of an RGB-D camera, frame by frame, against keyframes.
 class Tracker {
  public:
-  /// Throws OptionError where the camera or an option is impossible.
+  /// Throws OptionError if the camera or an option is impossible.
   explicit Tracker(const Camera& camera, const TrackerOptions& options = {});
   ~Tracker();
   Tracker(Tracker&& other) noexcept;
   Tracker& operator=(Tracker&& other) noexcept;
 
-  /// Tracks the next frame. Never throws on a bad image: the answer is kLost with a reason.
-  /// The first tracked camera is the origin of the world.
-  FrameRecord track(const RgbdFrame& frame);
+  /// Tracks the next frame, whose images are copied. Never throws on a bad image: the status is
+  /// kLost then, with a reason. The first tracked camera is the origin of the world.
+  TrackedFrame track(const RgbdFrame& frame);
 
-  /// Goes on where T_world_camera says that a frame was taken which track() has just called lost,
-  /// for one who has recognised the place: a new segment starts there, in whatever world the pose
-  /// is of. Lost it stays where its images are of no use.
-  FrameRecord resume(const RgbdFrame& frame, const SE3& T_world_camera);
+  /// Continues at the frame that track() was given last and called lost, at a pose that a caller
+  /// has recognised: a new submap starts there. Take the newest keyframe before: one that was not
+  /// taken is dropped. The status stays kLost, with a reason, if the frame's images are of no use.
+  FrameRecord resume(const SE3& T_world_camera);
 
-  /// The observer is called within these, in the order in which keyframes are made, once for each
-  /// but the first of a segment: that is made again, with other points, when the next frame has
-  /// told how the camera moves.
-  void observe_keyframes(KeyframeObserver observer);
+  /// Returns the newest keyframe if track() has not returned it yet: for the end of a sequence, and
+  /// before relocalisation. It is not returned again.
+  std::optional<TrackerKeyframe> take_keyframe();
+
+  /// Selects points of the frame that track() was given last as for a keyframe, with its exposure
+  /// gain taken out: what relocalisation registers. Empty if its images are unusable.
+  PointCloud select_keyframe_points();
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// The camera's path from the tracker's answers: the frames of the segment with most of them; all
-/// others are lost.
+/// Returns the camera's path from the tracker's records: the frames of the submap with most of
+/// them; all others are lost.
 [[nodiscard]] Trajectory to_trajectory(const std::vector<FrameRecord>& records);
 
 }  // namespace cvo_slam

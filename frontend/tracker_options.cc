@@ -1,77 +1,75 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/frontend/tracker_options.h"
-
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/frontend/tracker.h"
 
 namespace cvo_slam {
 
 OptionSet describe(KeyframeOptions& o) {
   return OptionSet()
       .add("min_overlap", o.min_overlap, {0, 1}, "",
-           "A frame of which fewer points find a partner becomes the next keyframe: less than this "
-           "times what can be expected, which is the best share of the points in view that found "
-           "one at the last keyframes. Where depth is missing in patches, some never do.")
+           "A tracked frame with less overlap than this share of the expected one becomes the next "
+           "keyframe. The expected overlap is the best one of the last keyframes.")
       .add("max_translation", o.max_translation, {0, 100}, "m",
-           "So does one further away than this, from where near things look different.")
+           "A tracked frame further away from the keyframe than this becomes the next keyframe.")
       .add("max_rotation", o.max_rotation, {0, 4}, "rad",
-           "So does one rotated by more than this: a quarter of a Kinect's field of view.");
+           "A tracked frame rotated by more than this against the keyframe becomes the next "
+           "keyframe. The default is a quarter of a Kinect's field of view.");
 }
 
 OptionSet describe(LostOptions& o) {
   return OptionSet()
       .add("min_points", o.min_points, {10, 1000000}, "",
-           "With fewer points in a frame six degrees of freedom are not held reliably: eight for "
-           "each. Walls without texture leave about a hundred.")
-      .add("min_overlap", o.min_overlap, {0, 1}, "",
-           "A registration with less overlap is not believed.")
-      .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",
-           "A registration with a smaller normalised inner product is not believed.")
+           "Least number of points of a frame. Six degrees of freedom need eight points each.")
+      .add("min_overlap", o.min_overlap, {0, 1}, "", "Least overlap of a registration.")
       .add("max_speed", o.max_speed, {0, 1000}, "m/s",
-           "No hand moves a camera faster: such a step is a wrong registration.")
+           "Largest speed of the camera. The default is more than a hand can do.")
       .add("max_angular_speed", o.max_angular_speed, {0, 1000}, "rad/s",
-           "No hand turns a camera faster.")
+           "Largest angular speed of the camera. The default is more than a hand can do.")
       .add("restart_after", o.restart_after, {1, 1000000}, "frames",
-           "After so many lost frames in a row a new segment of the trajectory is started.");
+           "Number of lost frames in a row after which a new submap starts.")
+      .expert()
+      .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",
+           "Least normalised inner product of the clouds after a registration.");
 }
 
 OptionSet describe(TrackerOptions& o) {
   return OptionSet()
-      .add("reference", o.reference,
-           {{"keyframe", Reference::kKeyframe}, {"previous_frame", Reference::kPreviousFrame}},
-           "What a frame is registered against. A keyframe does not add up the errors of the "
-           "frames between.")
-      .add("prediction", o.prediction,
-           {{"constant_velocity", Prediction::kConstantVelocity},
-            {"identity", Prediction::kIdentity}},
-           "Where a registration starts. Hands and robots move smoothly at 30 Hz.")
-      .add("recovery_scales", o.recovery_scales, {0, 100}, "",
-           "So many of the coarsest length scales are left out where the pose was predicted, and "
-           "serve where a registration without them failed: wide kernels reach further, but pull "
-           "towards dense regions, away from a prediction that was good.")
       .add("points", o.points, {50, 100000}, "",
-           "Points of a frame. Twice as many cost twice the time and gain nothing.")
+           "Number of points of a frame. Twice as many cost twice the time and gain nothing.")
       .add("keyframe_points", o.keyframe_points, {50, 100000}, "",
-           "Points of a keyframe. More than of a frame, so that most points of a frame find the "
-           "very same place.")
-      .add("compensate_depth_delay", o.compensate_depth_delay,
-           "Takes the camera's predicted motion between the stamps of the colour and the depth "
-           "image out of the points: sensors without a common clock take them up to 17 ms apart.")
-      .add("compensate_rolling_shutter", o.compensate_rolling_shutter,
-           "Takes the camera's motion while its rows were read (Camera::readout_time) out of the "
-           "points.")
-      .add(
-          "compensate_exposure", o.compensate_exposure,
-          "Scales the colours of a frame back where all of its image has become brighter or darker "
-          "by one factor, of more than 15 %, since the frame before.")
+           "Number of points of a keyframe: more than of a frame, so that most points of a frame "
+           "find the very same spot of a surface.")
       .add("threads", o.threads, {1, 1024}, "",
-           "Threads of one registration. Results do not depend on it.")
+           "Number of threads of one registration. Results do not depend on it.")
+      .add("compensate_depth_delay", o.compensate_depth_delay,
+           "Takes the predicted motion between the stamps of the colour and the depth image out of "
+           "the points. Sensors without a common clock take the two up to 17 ms apart.")
+      .add("compensate_rolling_shutter", o.compensate_rolling_shutter,
+           "Takes the motion while the rows were read (the camera's readout_time) out of the "
+           "points.")
+      .add("compensate_exposure", o.compensate_exposure,
+           "Scales the colours of a frame back where the whole image has become brighter or darker "
+           "by one factor, of more than 15 %, since the frame before.")
       .add("selection", describe(o.selection))
       .add("registration", describe(o.registration))
       .add("keyframe", describe(o.keyframe))
-      .add("lost", describe(o.lost));
+      .add("lost", describe(o.lost))
+      .expert()
+      .add("reference", o.reference,
+           {{"keyframe", Reference::kKeyframe}, {"previous_frame", Reference::kPreviousFrame}},
+           "What a frame is registered to. A keyframe does not add up the errors of the frames "
+           "between; the paper takes the previous frame.")
+      .add("prediction", o.prediction,
+           {{"constant_velocity", Prediction::kConstantVelocity},
+            {"identity", Prediction::kIdentity}},
+           "Where a registration starts: at the pose predicted by a constant velocity, or at the "
+           "keyframe's own as in the paper.")
+      .add("recovery_scales", o.recovery_scales, {0, 100}, "",
+           "Number of the coarsest length scales that serve only after a failed registration: wide "
+           "kernels reach further, but pull towards dense regions, away from a good prediction.");
 }
 
 void check_consistency(const TrackerOptions& options) {

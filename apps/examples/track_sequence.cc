@@ -12,6 +12,8 @@ int main(int /*argc*/, char** argv) {
   const auto data = cvo_slam::open_dataset(argv[1]);
   cvo_slam::Tracker tracker(data->camera());
   std::vector<cvo_slam::FrameRecord> records;
-  for (std::size_t i = 0; i < data->size(); ++i) records.push_back(tracker.track(data->read(i)));
+  for (std::size_t i = 0; i < data->size(); ++i) {
+    records.push_back(tracker.track(data->read(i)).record);
+  }
   cvo_slam::write_tum("trajectory.txt", cvo_slam::to_trajectory(records));
 }

@@ -126,7 +126,7 @@ TEST_F(RunCommand, ReportHoldsTheFiguresOfAnExactTracker) {
   // one.
   EXPECT_LT(report["evaluation"]["ate"]["translation_m"]["rmse"], 0.005);
   const auto& options = report["options"];
-  EXPECT_EQ(options["tracker.registration.solver"], "newton");
+  EXPECT_EQ(options["expert.tracker.registration.solver"], "newton");
   EXPECT_TRUE(options["tracker.points"].is_number_integer());
   EXPECT_TRUE(options["tracker.registration.length_scales"][0].is_number());
 }
@@ -154,7 +154,7 @@ TEST_F(RunCommand, PaperPresetRunsToTheEnd) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   const auto report = nlohmann::json::parse(file("report.json"));
   EXPECT_EQ(report["frames"]["tracked"], 4);
-  EXPECT_EQ(report["options"]["tracker.registration.solver"], "flow");
+  EXPECT_EQ(report["options"]["expert.tracker.registration.solver"], "flow");
 }
 
 TEST_F(RunCommand, GraphModeWritesItsFilesToo) {

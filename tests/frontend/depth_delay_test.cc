@@ -20,7 +20,7 @@ namespace {
 const Vector3 kNormal = Vector3(0.15, -0.1, 1).normalized();
 constexpr double kDistance = 1.5;
 
-/// What the depth camera sees of the wall from T_color_depth.
+/// Returns the depth image of the wall from T_color_depth.
 cv::Mat wall_from(const Camera& camera, const SE3& T_color_depth) {
   const Vector3 normal = T_color_depth.rotation().transpose() * kNormal;
   const double distance = kDistance - kNormal.dot(T_color_depth.translation());
@@ -56,7 +56,7 @@ class DepthDelay : public testing::Test {
 constexpr double kTolerance = 1e-3;
 
 TEST_F(DepthDelay, ThePointsLieOnTheWallForTheRightMotion) {
-  // What a hand does in 17 ms: 1 m/s and 1.5 rad/s.
+  // Motions of a hand in 17 ms: 1 m/s and 1.5 rad/s.
   for (const SE3& T : {motion(0, 0, 0.017, 0, 0, 0), motion(0, 0, 0, 0.025, -0.02, 0),
                        motion(0.01, -0.01, 0.015, 0.02, 0.015, -0.02)}) {
     frame_.depth = wall_from(camera_, T);
@@ -83,7 +83,7 @@ TEST_F(DepthDelay, AMotionOfNothingChangesNothing) {
   // Too small to move the lookup to another pixel, large enough to take that path.
   const SE3 T = motion(1e-12, 0, 0, 0, 0, 0);
   const PointCloud cloud = select_points(frame_, camera_, 100000, options_, T);
-  // All but those at the border, which a motion may push off the image.
+  // Points at the border are missing, because a motion may push them off the image.
   const std::size_t all = select_points(frame_, camera_, 100000, options_).size();
   EXPECT_GT(cloud.size(), all * 95 / 100);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -94,7 +94,7 @@ TEST_F(DepthDelay, AMotionOfNothingChangesNothing) {
 }
 
 TEST_F(DepthDelay, PointsThatTheDepthImageDidNotSeeAreLeftOut) {
-  // Half of the image's width to the side: 160 of 320 columns.
+  // The depth camera stands half of the image's width to the side: 160 of 320 columns.
   const SE3 T = motion(kDistance * 160 / camera_.color.fx, 0, 0, 0, 0, 0);
   frame_.depth = depth_image(camera_, [](int, int) { return kDistance; });
   const PointCloud cloud = select_points(frame_, camera_, 100000, options_, T);

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The formulas of the flow, each against numeric differentiation of F and of
-// G(t) = F(h exp(t xi)) - F(h). Where the paper prints another formula, a test shows that it fails.
+// G(t) = F(h exp(t xi)) - F(h). If the paper prints another formula, a test shows that it fails.
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/frontend/gradient_flow_internal.h"
+#include "cvo_slam/frontend/solvers_internal.h"
 #include "cvo_slam/tests/frontend/reference_align.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 
@@ -30,14 +30,14 @@ class GradientFlow : public testing::Test {
 
   [[nodiscard]] FlowDirection flow() { return flow_direction(objective_.evaluate(T_), kA2, kB2); }
 
-  /// F(h exp(t xi)) for T = h^-1: the moved points go to exp(-t xi) T z.
+  /// Returns F(h exp(t xi)) for T = h^-1: the moved points go to exp(-t xi) T z.
   [[nodiscard]] double f(const FlowDirection& xi, double t) const {
     Vector6 tangent;
     tangent << -t * xi.v, -t * xi.omega;
     return reference_objective(fixed_, moving_, SE3::exp(tangent) * T_, kernel_, kScale);
   }
 
-  /// Taylor coefficients 1 to 4 of f(xi, t) from a polynomial through Chebyshev nodes.
+  /// Returns Taylor coefficients 1 to 4 of f(xi, t) from a polynomial through Chebyshev nodes.
   [[nodiscard]] std::array<double, 4> numeric_expansion(const FlowDirection& xi) const {
     constexpr int kNodes = 17;
     constexpr double kReach = 0.5;
@@ -62,7 +62,7 @@ class GradientFlow : public testing::Test {
   PairTable pairs_;
   Executor executor_;
   PoseObjective objective_{level_, moving_, moving_.size(), pairs_, executor_};
-  /// A direction whose unit of time moves points by about half a length scale.
+  /// Returns a direction whose unit of time moves points by about half a length scale.
   FlowDirection direction_{Vector3(0.06, -0.08, 0.05), Vector3(-0.05, 0.07, 0.03)};
 };
 

@@ -61,7 +61,7 @@ TEST(ImageNoise, IsNoReasonToSelectAPixel) {
   const Camera camera = small_camera(640, 480);
   RgbdFrame frame = noise_frame(camera, 1);
   frame.color = slope();
-  constexpr int kTexture = 100;  // its rows
+  constexpr int kTexture = 100;  // number of rows with texture
   const cv::Mat top = frame.color.rowRange(0, kTexture);
   noisy(top, 60).copyTo(top);
   frame.color = noisy(frame.color, 4);

@@ -98,8 +98,8 @@ TEST_F(Inspection, TheExactStepCurveIsTheObjective) {
 
 TEST_F(Inspection, EveryOrderOfTheExpansionIsNearerToTheCurve) {
   const StepCurve curve(fixed_, moving_, T_, kernel_, {}, kScale);
-  // Far enough below the step that the series converges, far enough above 0 that what is left of
-  // four orders is more than the coefficients' single precision.
+  // Far enough below the step that the series converges, and far enough above 0 that the error of
+  // the fourth order exceeds the coefficients' single precision.
   const double t = 0.2 * curve.step();
   double last = std::abs(curve.exact(t));
   for (int order = 1; order <= 4; ++order) {
@@ -116,11 +116,11 @@ TEST_F(Inspection, WithoutPairsTheStepCurveIsZero) {
   EXPECT_FALSE(curve.has_slope());
   EXPECT_EQ(curve.exact(1), 0);
   EXPECT_EQ(curve.expanded(1, 4), 0);
-  EXPECT_EQ(curve.step(), FlowOptions().fallback_step * kScale * kScale);
+  EXPECT_EQ(curve.step(), FlowConstants().fallback_step * kScale * kScale);
 }
 
 TEST_F(Inspection, ImpossibleOptionsAreErrors) {
-  FlowOptions flow;
+  FlowConstants flow;
   flow.metric_a2 = 0;
   EXPECT_THROW(StepCurve(fixed_, moving_, T_, kernel_, flow, kScale), OptionError);
 }

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/frontend/kernel.h"
-
 #include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/frontend/registration.h"
 
 namespace cvo_slam {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a query finds against a search through all points.
+// Queries of the grid against a search through all points.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -20,8 +20,8 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-/// The cloud's points that a query gives; checks that its runs are in bounds, not empty and share
-/// no entry.
+/// Returns the cloud's points that a query finds; checks that its runs are in bounds, not empty and
+/// share no entry.
 std::set<std::uint32_t> query(const NeighborGrid& grid, const Vector3& at) {
   std::array<GridRun, NeighborGrid::kMaxRuns> runs{};
   const std::size_t count = grid.query(static_cast<float>(at.x()), static_cast<float>(at.y()),
@@ -38,13 +38,13 @@ std::set<std::uint32_t> query(const NeighborGrid& grid, const Vector3& at) {
   return found;
 }
 
-/// How many points lie within `radius` of a place; each must have been found.
+/// Returns how many points lie within `radius` of a position; each must have been found.
 int expect_found(const PointCloud& cloud, const NeighborGrid& grid, const Vector3& at,
                  double radius) {
   const auto found = query(grid, at);
   int near = 0;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    // Written so that NaN is far.
+    // NaN counts as far.
     if (!((cloud.position(i) - at.cast<float>().cast<double>()).norm() < radius)) continue;
     ++near;
     EXPECT_TRUE(found.contains(i)) << "point " << i << " near " << at.transpose();
@@ -52,8 +52,8 @@ int expect_found(const PointCloud& cloud, const NeighborGrid& grid, const Vector
   return near;
 }
 
-/// Columns are told apart in single precision: in a cloud of some metres a place is known to 1e-6 m
-/// and a point that close to the radius, where the kernel is cut to zero, may be missed.
+/// Columns are computed in single precision: in a cloud of some metres a position is exact to 1e-6
+/// m, and a point that close to the radius, where the kernel is cut to zero, may be missed.
 constexpr double kRounding = 1e-6;
 
 TEST(NeighborGrid, FindsEveryPointWithinTheRadius) {

@@ -8,7 +8,8 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/frontend/newton_internal.h"
+#include "cvo_slam/frontend/solvers_internal.h"
+#include "cvo_slam/tests/frontend/evaluate.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 
 namespace cvo_slam {
@@ -31,7 +32,7 @@ class Newton : public testing::Test {
     return newton(objective, T_init, stop);
   }
 
-  /// The search from T_init, stopped after 1, 2, ... iterations.
+  /// Returns the results of the search from T_init, stopped after 1, 2, ... iterations.
   [[nodiscard]] std::vector<LevelResult> steps(const PointCloud& cloud, double ell,
                                                const SE3& T_init) const {
     constexpr int kMost = 30;
@@ -48,7 +49,7 @@ class Newton : public testing::Test {
   [[nodiscard]] ObjectiveValue value_at(const PointCloud& cloud, double ell, const SE3& T) const {
     Objective objective;
     objective.build(cloud, kernel_, ell);
-    return objective.evaluate(cloud, T, Executor());
+    return evaluate(objective, cloud, T);
   }
 
   KernelOptions kernel_;
@@ -77,7 +78,7 @@ TEST_F(Newton, EveryStepRaisesTheObjective) {
 }
 
 TEST_F(Newton, ConvergesInAFewSteps) {
-  // Quadratically: from 1e-2 by way of 1e-4 to 1e-8, with a step or two to get there.
+  // Convergence is quadratic: from 1e-2 by way of 1e-4 to 1e-8, after a step or two.
   const auto results = steps(random_cloud(150, 20), 0.1, motion(0.01, 0, 0.01, 0, 0.01, 0));
   EXPECT_TRUE(results.back().converged);
   EXPECT_LE(results.size(), 6U);
@@ -147,7 +148,7 @@ TEST_F(Newton, MayTakeTheLastStepWithoutLooking) {
 }
 
 TEST_F(Newton, DoesNotConvergeWhereThePoseIsFree) {
-  // A single point can be turned about at will: both Hessians are singular.
+  // A single point leaves the rotation free: both Hessians are singular.
   const PointCloud point = random_cloud(1, 25);
   Objective objective;
   objective.build(point, kernel_, 0.1);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/frontend/objective_internal.h"
+#include "cvo_slam/tests/frontend/evaluate.h"
 #include "cvo_slam/tests/frontend/reference_align.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double kScale = 0.3;
 
-/// No pair is cut off: the objective is smooth, as differentiation needs.
+/// A kernel that cuts off no pair: the objective is smooth, as differentiation needs.
 KernelOptions smooth_kernel(ColorKernel color) {
   KernelOptions kernel;
   kernel.sparsification = 1e-9;
@@ -26,7 +27,7 @@ class ObjectiveDerivatives : public testing::TestWithParam<ColorKernel> {
  protected:
   ObjectiveDerivatives() {
     objective_.build(fixed_, kernel_, kScale);
-    value_ = objective_.evaluate(moving_, T_, Executor());
+    value_ = evaluate(objective_, moving_, T_);
   }
 
   [[nodiscard]] double f(const SE3& T) const {
@@ -58,7 +59,7 @@ TEST_P(ObjectiveDerivatives, GradientMatchesNumericDifferentiation) {
   }
 }
 
-/// The numeric second derivative of F(move(d)) at d = 0.
+/// Returns the numeric second derivative of F(move(d)) at d = 0.
 template <typename Move>
 Matrix6 numeric_hessian(const Move& move) {
   constexpr double kStep = 1e-4;
@@ -80,9 +81,9 @@ TEST_P(ObjectiveDerivatives, HessianMatchesNumericDifferentiation) {
 }
 
 TEST_P(ObjectiveDerivatives, AdjointTurnsItIntoTheHessianOfARightPerturbation) {
-  // At a maximum, where the second derivative is the same in all charts.
+  // At a maximum the second derivative is the same in all charts.
   const SE3 T = reference_align(fixed_, fixed_, motion(0.01, 0, 0, 0, 0, 0.01), kernel_, kScale);
-  const auto at_maximum = objective_.evaluate(fixed_, T, Executor());
+  const auto at_maximum = evaluate(objective_, fixed_, T);
   const Matrix6 numeric = numeric_hessian([&](const Vector6& d) {
     return reference_objective(fixed_, fixed_, T * SE3::exp(d), kernel_, kScale);
   });
@@ -93,7 +94,7 @@ TEST_P(ObjectiveDerivatives, AdjointTurnsItIntoTheHessianOfARightPerturbation) {
 
 TEST_P(ObjectiveDerivatives, MajorizerBoundsTheHessian) {
   // Curvature of exp aside, H = H0 - sum J^T (w r r^T / ell^4) J: at the maximum H <= H0.
-  const auto value = objective_.evaluate(fixed_, SE3(), Executor());
+  const auto value = evaluate(objective_, fixed_, SE3());
   const Eigen::MatrixXd difference = value.majorizer - value.hessian;
   const Eigen::VectorXd eigenvalues =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(difference).eigenvalues();
@@ -111,11 +112,11 @@ TEST(Objective, IsContinuousWhereTheThresholdCuts) {
   objective.build(point, kernel, 0.1);
   const double radius = support_radius(kernel, 0.1);
   const auto at = [&](double distance) {
-    return objective.evaluate(point, motion(distance, 0, 0, 0, 0, 0), Executor());
+    return evaluate(objective, point, motion(distance, 0, 0, 0, 0, 0));
   };
   EXPECT_GT(at(radius - 1e-4).inner_product, 0.99 * kernel.sparsification);
   EXPECT_EQ(at(radius + 1e-4).inner_product, 0.0);
-  // Just inside, k exceeds the threshold by k distance / ell^2 * 1e-4 m = 2e-2 of itself.
+  // 0.1 mm inside, k exceeds the threshold by k distance / ell^2 * 1e-4 m, which is 2 % of it.
   EXPECT_LT(at(radius - 1e-4).value, 0.03 * kernel.sparsification);
   EXPECT_EQ(at(radius + 1e-4).matched, 0U);
 }
@@ -125,9 +126,9 @@ TEST(Objective, IsTheSameToTheBitForAnyNumberOfThreads) {
   const PointCloud moving = random_cloud(1500, 5);
   Objective objective;
   objective.build(fixed, KernelOptions(), 0.05);
-  const auto one = objective.evaluate(moving, SE3(), Executor(1));
+  const auto one = evaluate(objective, moving, SE3(), Executor(1));
   for (const int threads : {2, 8}) {
-    const auto many = objective.evaluate(moving, SE3(), Executor(threads));
+    const auto many = evaluate(objective, moving, SE3(), Executor(threads));
     EXPECT_EQ(one.value, many.value);
     EXPECT_EQ(one.gradient, many.gradient);
     EXPECT_EQ(one.hessian, many.hessian);

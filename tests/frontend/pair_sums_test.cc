@@ -23,8 +23,8 @@ constexpr double kScale = 0.1;
 constexpr std::size_t kSums = sizeof(PairSums) / sizeof(double);
 using Array = std::array<double, kSums>;
 
-/// The sums in double precision over all pairs, and the same of absolute values: what a sum's error
-/// is measured by.
+/// The sums in double precision over all pairs, and the sums of absolute values, by which errors
+/// are measured.
 struct ExactSums {
   PairSums sum;
   PairSums magnitude;

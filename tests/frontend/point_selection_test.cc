@@ -32,7 +32,7 @@ class PointSelection : public testing::Test {
     return select_points(frame, camera_, count, options_);
   }
 
-  /// The share of the first `count` points in each quarter of the image.
+  /// Returns the share of the first `count` points in each quarter of the image.
   [[nodiscard]] std::array<double, 4> quarters(const PointCloud& cloud, std::size_t count) const {
     std::array<double, 4> shares{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -52,7 +52,7 @@ TEST_F(PointSelection, GivesAsManyPointsAsAskedForWhereThereAreSo) {
   for (const int count : {1, 50, 500, 3000}) {
     EXPECT_EQ(select(frame_, count).size(), static_cast<std::size_t>(count));
   }
-  // One a cell of 4x4 pixels within the border of 4: 78 x 58.
+  // One point per cell of 4x4 pixels within the border of 4: 78 x 58.
   EXPECT_EQ(select(frame_, 100000).size(), 78U * 58U);
 }
 
@@ -61,7 +61,7 @@ TEST_F(PointSelection, SpreadsThePointsAndEveryPrefixOfThem) {
   ASSERT_EQ(cloud.size(), 1000U);
   for (const std::size_t count : {250U, 500U, 750U, 1000U}) {
     for (const double share : quarters(cloud, count)) {
-      // Up to half of the points there is no choice but chance among buckets: 250 of them leave a
+      // Less than a round through the buckets takes a random part of them: 250 points leave a
       // standard deviation of 2.7 %.
       EXPECT_NEAR(share, 0.25, count < 500 ? 0.08 : 0.04) << count;
     }
@@ -69,7 +69,7 @@ TEST_F(PointSelection, SpreadsThePointsAndEveryPrefixOfThem) {
 }
 
 TEST_F(PointSelection, SpreadsThePointsOfAnUnevenTexture) {
-  // The left half has a quarter of the contrast: by gradient alone the right would take all.
+  // The left half has a quarter of the contrast: by gradient alone the right would get all points.
   cv::Mat left = frame_.color.colRange(0, camera_.color.width / 2);
   left.convertTo(left, CV_8U, 0.25, 96);
   const PointCloud cloud = select(frame_, 1000);

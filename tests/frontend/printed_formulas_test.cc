@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the CVO paper (Ghaffari et al., RSS 2019) prints something else than docs/cvo.md derives,
-// or says two things, these tests decide. Those of single coefficients are in
-// gradient_flow_test.cc.
+// These tests decide where the CVO paper (Ghaffari et al., RSS 2019) contradicts itself or the
+// derivation in docs/cvo.md. The tests of single coefficients are in gradient_flow_test.cc.
 #include <array>
 #include <cmath>
 #include <random>
@@ -13,7 +12,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/frontend/gradient_flow_internal.h"
+#include "cvo_slam/frontend/solvers_internal.h"
 #include "cvo_slam/tests/frontend/reference_align.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 
@@ -52,7 +51,7 @@ TEST(PrintedAction, AStepOfHIsAStepBackOfT) {
   EXPECT_LT((by_h.matrix() - by_T.matrix()).norm(), 1e-14);
 }
 
-/// The factors a_k of a series z + sum a_k t^k w^(k-1) u for the way of a point under the flow.
+/// The factors a_k of a series z + sum a_k t^k w^(k-1) u for the path of a point under the flow.
 using SeriesFactors = std::array<double, 4>;
 
 class PrintedSeries : public testing::Test {
@@ -70,7 +69,7 @@ class PrintedSeries : public testing::Test {
     return place;
   }
 
-  /// G(t) with the points moved by the series.
+  /// Returns G(t) with the points moved by the series.
   [[nodiscard]] double g(double t, const SeriesFactors& factors) const {
     const KernelOptions kernel = smooth_kernel();
     double sum = 0;
@@ -95,8 +94,8 @@ class PrintedSeries : public testing::Test {
            reference_objective(fixed_, moving_, T_, kernel, kScale);
   }
 
-  /// By how much the curve with these factors misses the exact one at a time that moves points by a
-  /// tenth of a length scale, as a share of it.
+  /// Returns the relative error of the curve with these factors at a time that moves points by a
+  /// tenth of a length scale.
   [[nodiscard]] double miss(const SeriesFactors& factors) const {
     constexpr double kTime = 0.3;
     return std::abs(g(kTime, factors) / exact(kTime) - 1);
@@ -110,7 +109,7 @@ class PrintedSeries : public testing::Test {
 };
 
 TEST_F(PrintedSeries, WithFactorialsAndAlternatingSignsIsTheMotion) {
-  // What is left is the fifth order: (0.3 |omega|)^5 / 5! = 3e-6 of a metre.
+  // The fifth order is left: (0.3 |omega|)^5 / 5! = 3e-6 of a metre.
   EXPECT_LT(miss({-1, 1.0 / 2, -1.0 / 6, 1.0 / 24}), 1e-4);
 }
 
@@ -130,7 +129,7 @@ TEST(PrintedTime, StepLimitsAreThoseOfAFlowWithoutTheLengthScale) {
   const Executor executor;
   PairTable pairs;
   PoseObjective objective(level, moving, moving.size(), pairs, executor);
-  FlowOptions options;
+  FlowConstants options;
   options.max_step = 1e-4;  // far below the step that the expansion chooses
   options.min_step = 0;
   const FlowDirection flow =
@@ -165,7 +164,7 @@ class FlowInDimension : public testing::TestWithParam<int> {
     return std::exp(-(x - z).squaredNorm() / (2 * kScale * kScale));
   }
 
-  /// sum k(x, exp(-t xi) z) to second order in t.
+  /// Returns sum k(x, exp(-t xi) z) to second order in t.
   [[nodiscard]] double f(double t) const {
     double sum = 0;
     for (const Vector& z : z_) {

@@ -4,12 +4,12 @@
 
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/frontend/kernel.h"
+#include "cvo_slam/frontend/registration.h"
 
 namespace cvo_slam {
 
 /// The oracle: CVO written down as it reads in the paper (with its errata corrected, docs/cvo.md),
-/// over all pairs, in double precision. What is fast is tested against it.
+/// over all pairs, in double precision. The fast code is tested against it.
 
 /// F(T) = sum_ij c_ij k(x_i, T z_j), with k = 0 below the sparsification.
 double reference_objective(const PointCloud& fixed, const PointCloud& moving,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Clouds that have no answer, and options that make no sense.
+// Clouds that determine no pose, and options that make no sense.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -13,7 +13,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/registration.h"
-#include "cvo_slam/frontend/tracker_options.h"
+#include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 
 namespace cvo_slam {
@@ -102,7 +102,7 @@ TEST_P(RegistrationInput, PointsThatAreNotFiniteAreLeftOut) {
 }
 
 TEST_P(RegistrationInput, ShapesThatDoNotDetermineThePose) {
-  // It once was "iteration limit" after one iteration, with a pose that nothing held.
+  // The reason once was "iteration limit" after one iteration, with an undetermined pose.
   PointCloud line = cloud_;
   for (auto* axis : {&line.y, &line.z}) std::fill(axis->begin(), axis->end(), 1.0F);
   PointCloud same = line;
@@ -151,7 +151,7 @@ TEST_P(RegistrationInput, ContradictingOptionsAreRefused) {
 TEST_P(RegistrationInput, CosThetaStaysInTheUnitIntervalOnALattice) {
   // The kernel that is cut to its support is not positive definite: between the points of a lattice
   // that do not see each other (spacing above 2.15 ell), four neighbours weigh 0.32 each, together
-  // more than the one that each point is to itself.
+  // more than each point's own weight of one.
   options_.length_scales = {0.045};  // support 0.0966
   options_.max_iterations = {1};
   PointCloud lattice = random_cloud(400, 2);
@@ -170,7 +170,7 @@ TEST_P(RegistrationInput, CosThetaStaysInTheUnitIntervalOnALattice) {
 INSTANTIATE_TEST_SUITE_P(Solvers, RegistrationInput,
                          testing::Values(Solver::kFlow, Solver::kNewton));
 
-/// The error that these options give; empty where they are accepted.
+/// Returns the error message for these options; empty if they are accepted.
 std::string error_of(const RegistrationOptions& options) {
   try {
     Registration registration(options);
@@ -195,7 +195,7 @@ TEST(RegistrationOptions, AreChecked) {
   EXPECT_THAT(changed([](auto& o) { o.max_iterations.clear(); }), HasSubstr("max_iterations"));
   EXPECT_THAT(changed([](auto& o) { o.max_iterations = {0}; }), HasSubstr("max_iterations"));
   EXPECT_THAT(changed([](auto& o) { o.kernel.sigma = -1; }), HasSubstr("kernel.sigma"));
-  EXPECT_THAT(changed([](auto& o) { o.tolerance_rotation = -1; }), HasSubstr("tolerance_rotation"));
+  EXPECT_THAT(changed([](auto& o) { o.tolerance = -1; }), HasSubstr("tolerance"));
   EXPECT_THAT(changed([](auto& o) { o.flow.metric_a2 = 0; }), HasSubstr("flow.metric_a2"));
   EXPECT_THAT(changed([&](auto& o) { o.flow.max_step = nan; }), HasSubstr("flow.max_step"));
 }

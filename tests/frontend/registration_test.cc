@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Both solvers find known motions, agree with the oracle, and say the truth about their result.
+// Both solvers find known motions, agree with the oracle, and describe their result correctly.
 #include "cvo_slam/frontend/registration.h"
 
 #include <cmath>
@@ -29,8 +29,8 @@ class Solvers : public testing::TestWithParam<std::tuple<Solver, ColorKernel>> {
 };
 
 TEST_P(Solvers, FindAKnownMotion) {
-  // For a moved copy the true pose is stationary, as its pairs cancel two by two, so that what is
-  // left is the solver's tolerance and the single precision of positions near 1 m.
+  // The true pose of a moved copy is stationary, because its pairs cancel two by two: the error is
+  // the solver's tolerance and the single precision of positions near 1 m.
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);
     const PointCloud fixed = centred_cloud(150, seed);
@@ -72,7 +72,7 @@ TEST_P(Solvers, CountPointsWithoutAPartnerInTheOverlap) {
   const auto result = align(fixed, moving, SE3(), options({0.05}));
   EXPECT_NEAR(result.overlap, 0.7, 1e-12);
   EXPECT_GT(result.cos_theta, 0.5);
-  EXPECT_LT(result.cos_theta, 0.8);  // 0.7 but for chance neighbours
+  EXPECT_LT(result.cos_theta, 0.8);  // 0.7, and some chance neighbours
 }
 
 TEST_P(Solvers, StopAtTheIterationLimit) {
@@ -107,7 +107,7 @@ TEST(Registration, InformationIsTheScaledHessianOfARightPerturbation) {
     return reference_objective(fixed, moving, result.T_fixed_moving * SE3::exp(xi), options.kernel,
                                kScale);
   };
-  // One measurement a moving point: the mean of their sums of weights counts 1 / ell^2.
+  // Each moving point is one measurement: the mean of their sums of weights counts 1 / ell^2.
   const double mean_weight = f(Vector6::Zero()) / static_cast<double>(moving.size());
   constexpr double kStep = 1e-4;
   Matrix6 numeric;
@@ -131,7 +131,7 @@ TEST(Registration, InformationOfEqualCloudsIsSymmetricAndPositiveDefinite) {
   EXPECT_LT((information - information.transpose()).norm(), 1e-9 * information.norm());
   const Eigen::MatrixXd matrix = information;
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().minCoeff(), 0);
-  // Where hardly any point has a neighbour, 200 measurements of 2 cm in each axis.
+  // With hardly any neighbour beside the own one, 200 measurements of 2 cm in each axis.
   const double expected = 200 / (0.02 * 0.02);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(information(k, k), expected, 0.1 * expected);
 }

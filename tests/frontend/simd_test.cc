@@ -19,7 +19,7 @@ class Simd : public testing::Test {
  protected:
   ~Simd() override { pin_simd(SimdPath::kBest); }
 
-  /// The paths of this CPU.
+  /// Returns the paths of this CPU.
   static std::vector<SimdPath> available() {
     std::vector<SimdPath> paths;
     for (const auto& [name, path] : simd_path_names()) {
@@ -42,7 +42,7 @@ TEST_F(Simd, EveryPathIsTheOneInUseWhenPinned) {
   }
   pin_simd(SimdPath::kScalar);
   EXPECT_THAT(simd_in_use(), testing::AnyOf("EMU128", "SCALAR"));
-  // Each is another one; the best is one of them.
+  // All paths differ, except the best, which is one of them.
   for (const auto& [name, count] : names) EXPECT_LE(count, 2) << name;
   EXPECT_EQ(names.size() + 1, available().size());
 }

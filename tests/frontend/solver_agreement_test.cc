@@ -47,7 +47,7 @@ TEST_P(SolverAgreement, OnSyntheticPairs) {
   }
 }
 
-/// Points of two successive frames, moved so that the first's centre is the origin.
+/// Returns points of two successive frames, moved so that the centre of the first is the origin.
 CloudPair real_pair(const Dataset& data, std::size_t index) {
   constexpr int kPoints = 80;
   CloudPair pair{select_points(data.read(index), data.camera(), kPoints),
@@ -61,7 +61,7 @@ CloudPair real_pair(const Dataset& data, std::size_t index) {
 TEST_P(SolverAgreement, OnRealPairs) {
   CVO_SLAM_REQUIRE_DATA("tum/rgbd_dataset_freiburg1_rpy");
   const auto data = open_dataset(test_data() / "tum/rgbd_dataset_freiburg1_rpy");
-  // 20 pairs for each kernel, all over the sequence.
+  // 20 pairs for each kernel, spread over the sequence.
   constexpr std::size_t kStep = 34;
   for (std::size_t i = 0; i + kStep < data->size(); i += kStep) {
     SCOPED_TRACE(i);

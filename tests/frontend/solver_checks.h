@@ -14,7 +14,7 @@
 
 namespace cvo_slam {
 
-/// Options whose every number is set here, with tolerances far below what is asserted.
+/// Returns options whose every number is set here, with tolerances far below what is asserted.
 inline RegistrationOptions exact_options(Solver solver, ColorKernel color,
                                          std::vector<double> length_scales) {
   RegistrationOptions options;
@@ -26,7 +26,7 @@ inline RegistrationOptions exact_options(Solver solver, ColorKernel color,
   options.kernel.gradient_scale = 80;
   options.length_scales = std::move(length_scales);
   options.max_iterations = {5000};
-  options.tolerance_translation = options.tolerance_rotation = 1e-7;
+  options.tolerance = 1e-7;
   options.depth_noise = 0;
   options.information_scale = 1;
   options.flow.min_step = 1e-8;
@@ -34,13 +34,14 @@ inline RegistrationOptions exact_options(Solver solver, ColorKernel color,
   return options;
 }
 
-/// A cloud around the origin, where rotation and translation hardly depend on each other and the
-/// first-order solvers converge quickly.
+/// Returns a cloud around the origin, where rotation and translation hardly depend on each other
+/// and the first-order solvers converge quickly.
 inline PointCloud centred_cloud(std::size_t n, unsigned seed) {
   return transformed(random_cloud(n, seed), SE3(Matrix3::Identity(), {0, 0, -1.5}));
 }
 
-/// A seeded motion of at most `translation` [m] and `rotation` [rad] along and about each axis.
+/// Returns a seeded motion of at most `translation` [m] and `rotation` [rad] along and about each
+/// axis.
 inline SE3 random_motion(double translation, double rotation, unsigned seed) {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -49,7 +50,7 @@ inline SE3 random_motion(double translation, double rotation, unsigned seed) {
   return SE3::exp(xi);
 }
 
-/// Another look at the same places: positions off by up to 5 mm, colours by up to 10 grey levels.
+/// Returns the cloud with noise: up to 5 mm in positions and up to 10 grey levels in colours.
 inline PointCloud noisy(PointCloud cloud, unsigned seed) {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<float> unit(-1.0F, 1.0F);

@@ -24,7 +24,7 @@ class SyntheticFrames {
     return world_.path.T_world_camera(static_cast<double>(place) / 30);
   }
 
-  /// The frame of index and time `index` as seen from where the camera is at frame `place`.
+  /// Returns the frame of index and time `index` as seen from the pose of frame `place`.
   [[nodiscard]] RgbdFrame frame(std::size_t index, std::size_t place) const {
     const auto rendering = synthetic::render(world_.scene, camera_.color, T_world_camera(place));
     RgbdFrame frame;
@@ -37,7 +37,7 @@ class SyntheticFrames {
   }
   [[nodiscard]] RgbdFrame frame(std::size_t index) const { return frame(index, index); }
 
-  /// The exact pose at frame `place` in the camera frame of frame `first`.
+  /// Returns the exact pose at frame `place` in the camera frame of frame `first`.
   [[nodiscard]] SE3 T_first_camera(std::size_t first, std::size_t place) const {
     return T_world_camera(first).inverse() * T_world_camera(place);
   }

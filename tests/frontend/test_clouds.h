@@ -8,8 +8,8 @@
 
 namespace cvo_slam {
 
-/// `n` seeded points, uniform in a 1 m cube that begins 1 m in front of the camera, with uniform
-/// features.
+/// Returns `n` seeded points, uniform in a 1 m cube that begins 1 m in front of the camera, with
+/// uniform features.
 inline PointCloud random_cloud(std::size_t n, unsigned seed) {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<float> unit(0.0F, 1.0F);
@@ -26,7 +26,7 @@ inline PointCloud random_cloud(std::size_t n, unsigned seed) {
   return cloud;
 }
 
-/// The cloud with every point p moved to T p; features stay.
+/// Returns the cloud with every point p moved to T p; features stay.
 inline PointCloud transformed(const PointCloud& cloud, const SE3& T) {
   PointCloud moved = cloud;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -38,7 +38,7 @@ inline PointCloud transformed(const PointCloud& cloud, const SE3& T) {
   return moved;
 }
 
-/// The points in the order of `order`; may leave some out.
+/// Returns the points in the order of `order`, which may leave some out.
 inline PointCloud subset(const PointCloud& cloud, const std::vector<std::size_t>& order) {
   PointCloud result;
   result.resize(order.size());

@@ -12,7 +12,7 @@
 
 namespace cvo_slam {
 
-/// A camera with the field of view of a Kinect and 5000 depth units a metre.
+/// Returns a camera with the field of view of a Kinect and 5000 depth units a metre.
 inline Camera small_camera(int width = 320, int height = 240) {
   Camera camera;
   camera.color.width = width;
@@ -24,7 +24,7 @@ inline Camera small_camera(int width = 320, int height = 240) {
   return camera;
 }
 
-/// Colour noise, in which every place has strong gradients.
+/// Returns colour noise, which has strong gradients everywhere.
 inline cv::Mat noise_image(const Camera& camera, unsigned seed) {
   cv::Mat image(camera.color.height, camera.color.width, CV_8UC3);
   std::mt19937 rng(seed);
@@ -35,7 +35,7 @@ inline cv::Mat noise_image(const Camera& camera, unsigned seed) {
   return image;
 }
 
-/// A depth image with depth(u, v) [m] at each pixel.
+/// Returns a depth image with depth(u, v) [m] at each pixel.
 template <typename Depth>
 cv::Mat depth_image(const Camera& camera, const Depth& depth) {
   cv::Mat image(camera.color.height, camera.color.width, CV_16UC1);
@@ -48,7 +48,7 @@ cv::Mat depth_image(const Camera& camera, const Depth& depth) {
   return image;
 }
 
-/// Noise on a wall at `depth` [m].
+/// Returns a frame with colour noise on a wall at `depth` [m].
 inline RgbdFrame noise_frame(const Camera& camera, unsigned seed, double depth = 2.0) {
   RgbdFrame frame;
   frame.color = noise_image(camera, seed);

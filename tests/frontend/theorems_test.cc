@@ -9,8 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/frontend/gradient_flow_internal.h"
 #include "cvo_slam/frontend/objective_internal.h"
+#include "cvo_slam/frontend/solvers_internal.h"
+#include "cvo_slam/tests/frontend/evaluate.h"
 #include "cvo_slam/tests/frontend/reference_align.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 
@@ -40,7 +41,7 @@ class Theorem : public testing::Test {
 TEST_F(Theorem, IdentityIsAFixedPointForEqualClouds) {
   Objective objective;
   objective.build(x_, kernel_, kScale);
-  const ObjectiveValue value = objective.evaluate(x_, SE3(), Executor());
+  const ObjectiveValue value = evaluate(objective, x_, SE3());
   const FlowDirection flow = flow_direction(value, 7, 7);
   // Terms cancel in pairs up to the rounding of single precision.
   EXPECT_LT(flow.omega.norm(), 2e-6 * value.inner_product / kScale);
@@ -99,8 +100,7 @@ TEST_F(Theorem, TheOrderOfThePointsDoesNotMatter) {
   EXPECT_NEAR(f(x_, subset(z_, order), T), inner, 1e-13 * inner);
   Objective objective;
   objective.build(x_, kernel_, kScale);
-  EXPECT_NEAR(objective.evaluate(subset(z_, order), T, Executor()).inner_product, inner,
-              2e-6 * inner);
+  EXPECT_NEAR(evaluate(objective, subset(z_, order), T).inner_product, inner, 2e-6 * inner);
 }
 
 TEST_F(Theorem, FlowStepsAscend) {

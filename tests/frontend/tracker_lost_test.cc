@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Frames that cannot be tracked, and what comes after them.
+// Frames that cannot be tracked, and the frames after them.
 #include <algorithm>
 #include <cstdint>
 #include <functional>
@@ -25,16 +25,16 @@ using ::testing::HasSubstr;
 class LostFrames : public testing::Test {
  protected:
   static constexpr double kPixel = 1 / 262.5;  // [rad]
-  /// Halfway round the room: another wall.
+  /// Number of frames to another wall, halfway round the room.
   static constexpr std::size_t kElsewhere = 150;
 
-  FrameRecord track(std::size_t index) { return tracker_.track(frames_.frame(index)); }
+  FrameRecord track(std::size_t index) { return tracker_.track(frames_.frame(index)).record; }
 
-  /// What the tracker answers to frame `index` after `change` to it.
+  /// Tracks frame `index` after `change` to it.
   FrameRecord track_changed(std::size_t index, const std::function<void(RgbdFrame&)>& change) {
     RgbdFrame frame = frames_.frame(index);
     change(frame);
-    return tracker_.track(frame);
+    return tracker_.track(frame).record;
   }
 
   static void expect_lost(const FrameRecord& record, const std::string& reason) {
@@ -77,7 +77,7 @@ TEST_F(LostFrames, ImagesWithoutPointsAreLost) {
   expect_lost(track_changed(1, [](auto& f) { f.depth.setTo(0); }), reason);
   expect_lost(track_changed(2, [](auto& f) { f.color.setTo(cv::Scalar::all(90)); }), reason);
   expect_tracked(track(3));
-  // Not everything is gone: a hand in front of the camera leaves a corner.
+  // A hand in front of the camera leaves a corner.
   const auto record = track_changed(4, [](auto& f) { f.depth.colRange(20, 320).setTo(0); });
   expect_lost(record, "points with gradient and depth");
   EXPECT_GT(record.points, 0U);
@@ -90,7 +90,7 @@ TEST_F(LostFrames, BadImagesBeforeTheFirstGoodOneStartNothing) {
   const FrameRecord record = track(1);
   EXPECT_EQ(record.status, TrackingStatus::kTracked);
   EXPECT_EQ(record.T_world_camera.matrix(), SE3().matrix());
-  EXPECT_EQ(record.segment, 0);
+  EXPECT_EQ(record.submap, 0);
 }
 
 TEST_F(LostFrames, StampsMustAscend) {
@@ -110,12 +110,12 @@ TEST_F(LostFrames, OneStampFromTheFutureDoesNotLoseAllThatFollow) {
   for (const std::size_t i : {2U, 3U}) expect_lost(track(i), "its stamp is not after");
   const FrameRecord restarted = track(4);
   EXPECT_EQ(restarted.status, TrackingStatus::kTracked);
-  EXPECT_EQ(restarted.segment, 1);
+  EXPECT_EQ(restarted.submap, 1);
   EXPECT_EQ(track(5).status, TrackingStatus::kTracked);
 }
 
 TEST_F(LostFrames, AFrameThatNeedsTheLastOneAsKeyframeSaysSo) {
-  // An overlap that only neighbouring frames have. Indices are not needed to tell frames apart.
+  // The least overlap is one that only neighbouring frames have.
   options_.keyframe = {.min_overlap = 0, .max_translation = 100, .max_rotation = 4};
   use(options_);
   expect_tracked(track(0));
@@ -137,7 +137,7 @@ TEST_F(LostFrames, AFrameThatNeedsTheLastOneAsKeyframeSaysSo) {
 TEST_F(LostFrames, AJumpToAnotherPlaceIsLostAndTheWayBackIsFound) {
   expect_tracked(track(0));
   expect_tracked(track(1));
-  const FrameRecord record = tracker_.track(frames_.frame(2, kElsewhere));
+  const FrameRecord record = tracker_.track(frames_.frame(2, kElsewhere)).record;
   EXPECT_EQ(record.status, TrackingStatus::kLost);
   EXPECT_THAT(record.reason,
               AnyOf(HasSubstr("overlap"), HasSubstr("cos_theta"), HasSubstr("speed")));
@@ -150,12 +150,12 @@ TEST_F(LostFrames, AMotionTooFastForAHandIsNotBelieved) {
   options_.lost.max_speed = 0.5 * motion.translation().norm() / second;
   use(options_);
   expect_tracked(track(0));
-  expect_lost(tracker_.track(frames_.frame(1, 3)), "m/s is above");
+  expect_lost(tracker_.track(frames_.frame(1, 3)).record, "m/s is above");
   options_.lost.max_speed = 1000;
   options_.lost.max_angular_speed = 0.5 * motion.angle() / second;
   use(options_);
   expect_tracked(track(0));
-  expect_lost(tracker_.track(frames_.frame(1, 3)), "rad/s is above");
+  expect_lost(tracker_.track(frames_.frame(1, 3)).record, "rad/s is above");
 }
 
 TEST_F(LostFrames, AResultThatIsNotLikeTheKeyframeIsNotBelieved) {
@@ -170,39 +170,39 @@ TEST_F(LostFrames, AResultThatIsNotLikeTheKeyframeIsNotBelieved) {
   expect_lost(track(5), "cos_theta 0.");
 }
 
-TEST_F(LostFrames, ANewSegmentStartsAfterTooManyInARow) {
+TEST_F(LostFrames, ANewSubmapStartsAfterTooManyInARow) {
   options_.lost.restart_after = 3;
   use(options_);
   std::vector<FrameRecord> records;
   for (std::size_t i = 0; i < 2; ++i) records.push_back(track(i));
   for (std::size_t i = 2; i < 9; ++i) {
-    records.push_back(tracker_.track(frames_.frame(i, kElsewhere + i)));
+    records.push_back(tracker_.track(frames_.frame(i, kElsewhere + i)).record);
   }
   for (const std::size_t i : {2U, 3U}) {
     EXPECT_EQ(records[i].status, TrackingStatus::kLost) << i;
-    EXPECT_EQ(records[i].segment, 0);
+    EXPECT_EQ(records[i].submap, 0);
   }
   for (std::size_t i = 4; i < 9; ++i) {
     EXPECT_EQ(records[i].status, TrackingStatus::kTracked) << records[i].reason;
-    EXPECT_EQ(records[i].segment, 1);
+    EXPECT_EQ(records[i].submap, 1);
     EXPECT_EQ(records[i].reason, "");
-    // From the last known pose onwards, relative to the segment's first frame.
+    // The path starts at the last known pose, relative to the submap's first frame.
     const SE3 moved =
         records[1].T_world_camera * frames_.T_first_camera(kElsewhere + 4, kElsewhere + i);
     EXPECT_LT((moved.inverse() * records[i].T_world_camera).translation().norm(), 2 * kPixel);
   }
   EXPECT_EQ(records[4].keyframe, 4U);
-  EXPECT_EQ(records[4].keyframe_reason, "start of a segment");
-  // What was tried and refused before is not the registration of this frame.
+  EXPECT_EQ(records[4].keyframe_reason, "start of a submap");
+  // The refused registration to the old keyframe is not in the record.
   EXPECT_EQ(records[4].registration.iterations, 0);
   EXPECT_EQ(records[4].registration.T_fixed_moving.matrix(), SE3().matrix());
 
-  // Five frames against two: the second segment is the trajectory.
+  // The second submap has five frames, the first one two: the second one is the trajectory.
   const Trajectory trajectory = to_trajectory(records);
   ASSERT_EQ(trajectory.poses.size(), 5U);
   EXPECT_EQ(trajectory.poses.front().stamp, records[4].stamp);
   ASSERT_EQ(trajectory.lost.size(), 4U);
-  EXPECT_THAT(trajectory.lost[0].reason, HasSubstr("segment 0 is not connected"));
+  EXPECT_THAT(trajectory.lost[0].reason, HasSubstr("submap 0 is not connected"));
   EXPECT_EQ(trajectory.lost[2].reason, records[2].reason);
 }
 
@@ -211,10 +211,10 @@ TEST_F(LostFrames, LossesThatAreNotInARowDoNotRestart) {
   use(options_);
   expect_tracked(track(0));
   for (std::size_t i = 1; i < 6; i += 2) {
-    EXPECT_EQ(tracker_.track(frames_.frame(i, kElsewhere)).status, TrackingStatus::kLost);
+    EXPECT_EQ(tracker_.track(frames_.frame(i, kElsewhere)).record.status, TrackingStatus::kLost);
     const FrameRecord record = track(i + 1);
     expect_tracked(record);
-    EXPECT_EQ(record.segment, 0);
+    EXPECT_EQ(record.submap, 0);
   }
 }
 
@@ -235,18 +235,18 @@ TEST(ToTrajectory, OfLostFramesHasNoPose) {
   EXPECT_EQ(trajectory.lost[0].reason, "dark");
 }
 
-TEST(ToTrajectory, OfTwoSegmentsOfOneLengthKeepsTheFirst) {
+TEST(ToTrajectory, OfTwoSubmapsOfOneLengthKeepsTheFirst) {
   std::vector<FrameRecord> records(4);
   for (std::size_t i = 0; i < records.size(); ++i) {
     records[i].stamp = Timestamp(static_cast<std::int64_t>(i));
     records[i].status = TrackingStatus::kTracked;
-    records[i].segment = i < 2 ? 0 : 1;
+    records[i].submap = i < 2 ? 0 : 1;
   }
   const Trajectory trajectory = to_trajectory(records);
   ASSERT_EQ(trajectory.poses.size(), 2U);
   EXPECT_EQ(trajectory.poses[0].stamp, Timestamp(0));
   ASSERT_EQ(trajectory.lost.size(), 2U);
-  EXPECT_EQ(trajectory.lost[0].reason, "segment 1 is not connected to the trajectory's segment 0");
+  EXPECT_EQ(trajectory.lost[0].reason, "submap 1 is not connected to the trajectory's submap 0");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Trajectory track(const Dataset& data, std::size_t first, std::size_t count) {
   Tracker tracker(data.camera());
   std::vector<FrameRecord> records;
   for (std::size_t i = first; i < first + count; ++i)
-    records.push_back(tracker.track(data.read(i)));
+    records.push_back(tracker.track(data.read(i)).record);
   return to_trajectory(records);
 }
 

@@ -24,12 +24,13 @@ using testing::Contains;
 
 class TrackerOnSyntheticFrames : public testing::Test {
  protected:
-  /// What the tracker answers to the first frames of the walk.
+  /// Returns the tracker's records of the first frames of the walk.
   [[nodiscard]] std::vector<FrameRecord> track(std::size_t count,
                                                const TrackerOptions& options) const {
     Tracker tracker(frames_.camera(), options);
     std::vector<FrameRecord> records;
-    for (std::size_t i = 0; i < count; ++i) records.push_back(tracker.track(frames_.frame(i)));
+    for (std::size_t i = 0; i < count; ++i)
+      records.push_back(tracker.track(frames_.frame(i)).record);
     return records;
   }
 
@@ -39,7 +40,7 @@ class TrackerOnSyntheticFrames : public testing::Test {
       SCOPED_TRACE(record.index);
       EXPECT_EQ(record.status, TrackingStatus::kTracked) << record.reason;
       EXPECT_EQ(record.reason, "");
-      EXPECT_EQ(record.segment, 0);
+      EXPECT_EQ(record.submap, 0);
       const SE3 error = frames_.T_first_camera(0, record.index).inverse() * record.T_world_camera;
       EXPECT_LT(error.translation().norm(), translation);
       EXPECT_LT(error.angle(), rotation);
@@ -50,8 +51,8 @@ class TrackerOnSyntheticFrames : public testing::Test {
   TrackerOptions options_ = tracker_test_options();
 };
 
-// A pixel: points lie at whole pixels, of 1 / 262 rad, which is 8 mm at the 2 m of the room's
-// walls.
+// The tolerance is a pixel, because points lie at whole pixels: 1 / 262 rad, or 8 mm at the 2 m of
+// the room's walls.
 constexpr double kRotation = 1 / 262.5;
 constexpr double kTranslation = 2 * kRotation;
 
@@ -73,11 +74,11 @@ TEST_F(TrackerOnSyntheticFrames, TheFirstFrameIsTheOriginAndAKeyframe) {
   EXPECT_EQ(record.status, TrackingStatus::kTracked);
   EXPECT_EQ(record.T_world_camera.matrix(), SE3().matrix());
   EXPECT_EQ(record.keyframe, 0U);
-  EXPECT_EQ(record.keyframe_reason, "start of a segment");
+  EXPECT_EQ(record.keyframe_reason, "start of a submap");
   EXPECT_EQ(record.registration.overlap, 1.0);
 }
 
-/// The frame without 30 % of its depth, in patches that are others in each frame.
+/// Returns the frame without 30 % of its depth, in patches that differ from frame to frame.
 RgbdFrame with_missing_depth(const RgbdFrame& frame) {
   constexpr int kPatch = 12;  // [px]
   RgbdFrame result = frame;
@@ -99,9 +100,9 @@ TEST_F(TrackerOnSyntheticFrames, MissingDepthIsNoReasonForAKeyframe) {
   Tracker tracker(frames_.camera(), options_);
   std::vector<FrameRecord> records;
   for (std::size_t i = 0; i < 12; ++i) {
-    records.push_back(tracker.track(with_missing_depth(frames_.frame(i))));
+    records.push_back(tracker.track(with_missing_depth(frames_.frame(i))).record);
   }
-  expect_exact_poses(records, 2 * kTranslation, 2 * kRotation);  // of half of the pairs
+  expect_exact_poses(records, 2 * kTranslation, 2 * kRotation);  // from half of the pairs
   const auto of_overlap = std::count_if(records.begin(), records.end(), [](const FrameRecord& r) {
     return r.keyframe_reason == "overlap";
   });
@@ -119,7 +120,7 @@ TEST_F(TrackerOnSyntheticFrames, TakesKeyframesForTheReasonThatItGives) {
     return reasons;
   };
   using Reasons = std::vector<std::string>;
-  const std::string start = "start of a segment";
+  const std::string start = "start of a submap";
   EXPECT_EQ(reasons_with([](auto&) {}), (Reasons{start, "", ""}));
   EXPECT_THAT(reasons_with([](auto& k) { k.min_overlap = 1; }), Contains("overlap"));
   EXPECT_EQ(reasons_with([](auto& k) { k.max_translation = 1e-6; }),
@@ -182,14 +183,14 @@ TEST_F(TrackerOnSyntheticFrames, TracksGreyImages) {
   for (std::size_t i = 0; i < 4; ++i) {
     RgbdFrame frame = frames_.frame(i);
     cv::extractChannel(frame.color, frame.color, 1);
-    records.push_back(tracker.track(frame));
+    records.push_back(tracker.track(frame).record);
   }
   expect_exact_poses(records, kTranslation, kRotation);
 }
 
 TEST_F(TrackerOnSyntheticFrames, ImagesMayBeOverwrittenAfterTheCall) {
   // Grabbers write every image into the same memory. The tracker returns to the last tracked frame
-  // where the keyframe is too unlike the new one, as it is here from the fourth frame on.
+  // if a frame resembles the keyframe too little, as here from the fourth frame on.
   options_.keyframe = {.min_overlap = 0, .max_translation = 100, .max_rotation = 4};
   options_.lost.min_cos_theta = 0.47;
   const auto expected = track(6, options_);
@@ -202,7 +203,8 @@ TEST_F(TrackerOnSyntheticFrames, ImagesMayBeOverwrittenAfterTheCall) {
     frame.depth.copyTo(buffer.depth);
     buffer.index = frame.index;
     buffer.stamp = buffer.depth_stamp = frame.stamp;
-    EXPECT_EQ(tracker.track(buffer).T_world_camera.matrix(), expected[i].T_world_camera.matrix());
+    EXPECT_EQ(tracker.track(buffer).record.T_world_camera.matrix(),
+              expected[i].T_world_camera.matrix());
   }
 }
 

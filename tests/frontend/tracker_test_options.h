@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cvo_slam/frontend/tracker_options.h"
+#include "cvo_slam/frontend/tracker.h"
 
 namespace cvo_slam {
 
-/// Options for images of 320x240 pixels that do not follow the defaults, which are tuned on real
-/// sequences.
+/// Returns options for images of 320x240 pixels. They do not follow the defaults, which are tuned
+/// on real sequences.
 inline TrackerOptions tracker_test_options() {
   TrackerOptions o;
   o.reference = Reference::kKeyframe;
@@ -27,7 +27,7 @@ inline TrackerOptions tracker_test_options() {
   o.registration.kernel.gradient_scale = 60;
   o.registration.length_scales = {0.1, 0.05, 0.025};
   o.registration.max_iterations = {10};
-  o.registration.tolerance_translation = o.registration.tolerance_rotation = 1e-4;
+  o.registration.tolerance = 1e-4;
   o.keyframe.min_overlap = 0.7;
   o.keyframe.max_translation = 0.2;
   o.keyframe.max_rotation = 0.25;

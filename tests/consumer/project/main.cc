@@ -43,7 +43,7 @@ bool missing_file_throws(const std::filesystem::path& folder) {
 /// A frame without images is an answer, not an exception.
 bool tracker_answers() {
   cvo_slam::Tracker tracker{cvo_slam::Camera()};
-  const cvo_slam::FrameRecord record = tracker.track(cvo_slam::RgbdFrame());
+  const cvo_slam::FrameRecord record = tracker.track(cvo_slam::RgbdFrame()).record;
   return record.status == cvo_slam::TrackingStatus::kLost && !record.reason.empty();
 }
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/frontend/brightness_internal.h"
+#include "cvo_slam/frontend/exposure_internal.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/tests/frontend/synthetic_frames.h"
 #include "cvo_slam/tests/frontend/test_frames.h"
@@ -21,11 +21,11 @@ cv::Mat scaled(const cv::Mat& image, double factor) {
   return result;
 }
 
-class Brightness : public testing::Test {
+class Exposure : public testing::Test {
  protected:
   [[nodiscard]] cv::Mat image(std::size_t index) { return frames_.frame(index).color; }
 
-  /// A path of eight frames, of which those from the fourth on are exposed differently.
+  /// Tracks eight frames, of which those from the fifth on are brighter by a factor.
   [[nodiscard]] std::vector<FrameRecord> track_with_a_jump(const TrackerOptions& options,
                                                            double factor) {
     Tracker tracker(frames_.camera(), options);
@@ -33,56 +33,50 @@ class Brightness : public testing::Test {
     for (std::size_t i = 0; i < 8; ++i) {
       RgbdFrame frame = frames_.frame(i);
       if (i >= 4) frame.color = scaled(frame.color, factor);
-      records.push_back(tracker.track(frame));
+      records.push_back(tracker.track(frame).record);
     }
     return records;
   }
 
   SyntheticFrames frames_{small_camera(320, 240)};
-  BrightnessLevel level_;
+  ExposureGain exposure_;
 };
 
-TEST_F(Brightness, IsExactlyOneWhereOnlyTheViewChanges) {
-  for (std::size_t i = 0; i < 20; ++i) level_.update(image(i));
-  level_.update(image(150));  // the other side of the room
-  EXPECT_EQ(level_.factor(), 1.0);
+TEST_F(Exposure, GainIsExactlyOneIfOnlyTheViewChanges) {
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(exposure_.update(image(i)), 1.0);
+  EXPECT_EQ(exposure_.update(image(150)), 1.0) << "the other side of the room";
 }
 
-TEST_F(Brightness, FollowsJumpsThatAddUpAndEnd) {
-  level_.update(image(0));
-  level_.update(scaled(image(1), 0.5));
-  EXPECT_NEAR(level_.factor(), 0.5, 0.02);
-  level_.update(scaled(image(2), 0.5));
-  EXPECT_NEAR(level_.factor(), 0.5, 0.02);
-  level_.update(scaled(image(3), 0.3));
-  EXPECT_NEAR(level_.factor(), 0.3, 0.02);
-  level_.update(image(4));
-  EXPECT_NEAR(level_.factor(), 1, 0.03);
+TEST_F(Exposure, GainFollowsJumpsThatAddUpAndEnd) {
+  exposure_.update(image(0));
+  EXPECT_NEAR(exposure_.update(scaled(image(1), 0.5)), 0.5, 0.02);
+  EXPECT_NEAR(exposure_.update(scaled(image(2), 0.5)), 0.5, 0.02);
+  EXPECT_NEAR(exposure_.update(scaled(image(3), 0.3)), 0.3, 0.02);
+  EXPECT_NEAR(exposure_.update(image(4)), 1, 0.03);
 }
 
-TEST_F(Brightness, IsTheSameOfGreyAndColouredImages) {
+TEST_F(Exposure, GainIsTheSameForGreyAndColouredImages) {
+  double gain = 1;
   for (const double factor : {1.0, 0.6}) {
     cv::Mat one_channel;
     cv::extractChannel(scaled(image(0), factor), one_channel, 1);
-    level_.update(one_channel);
+    gain = exposure_.update(one_channel);
   }
-  EXPECT_NEAR(level_.factor(), 0.6, 0.02);
+  EXPECT_NEAR(gain, 0.6, 0.02);
 }
 
-TEST_F(Brightness, SaysNothingOfBlankImagesAndOtherSizes) {
-  level_.update(image(0));
+TEST_F(Exposure, BlankImagesAndOtherSizesAreNoJumps) {
+  exposure_.update(image(0));
   for (const double grey : {0.0, 255.0}) {
-    level_.update(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(grey)));
-    EXPECT_EQ(level_.factor(), 1.0);
+    EXPECT_EQ(exposure_.update(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(grey))), 1.0);
   }
-  level_.update(image(1));
-  level_.update(scaled(image(1), 0.5).rowRange(0, 100));
-  level_.update(cv::Mat());
-  level_.update(image(2));
-  EXPECT_EQ(level_.factor(), 1.0);
+  exposure_.update(image(1));
+  exposure_.update(scaled(image(1), 0.5).rowRange(0, 100));
+  exposure_.update(cv::Mat());
+  EXPECT_EQ(exposure_.update(image(2)), 1.0);
 }
 
-TEST_F(Brightness, TrackingGoesOnThroughAJumpOfTheExposure) {
+TEST_F(Exposure, TrackingGoesOnThroughAJumpOfTheExposure) {
   constexpr double kJump = 0.4;
   TrackerOptions options = tracker_test_options();
   const auto with = track_with_a_jump(options, kJump);

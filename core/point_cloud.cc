@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/core/point_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cvo_slam {
+
+FieldOfView::FieldOfView(const PinholeCamera& camera) : camera_(camera) {
+  constexpr double kMargin = 1.05;  // for what the radial part of the distortion leaves out
+  double corner = 0;
+  for (const double u : {-0.5, camera.width - 0.5}) {
+    for (const double v : {-0.5, camera.height - 0.5}) {
+      corner =
+          std::max(corner, std::hypot((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy));
+    }
+  }
+  const auto& [k1, k2, p1, p2, k3] = camera.distortion;
+  const PinholeCamera radial{1, 1, 1, 1, 0, 0, {k1, k2, 0, 0, k3}};
+  const auto distorted = [&radial](double radius) { return radial.project({radius, 0, 1}).x(); };
+  // The rays in the image are those up to its corners, or up to where the polynomial turns back.
+  const double step = corner / 100;
+  double radius = step;
+  while (distorted(radius) < kMargin * corner && distorted(radius) > distorted(radius - step)) {
+    radius += step;
+  }
+  max_radius2_ = radius * radius;
+}
+
+bool FieldOfView::contains(const Vector3& point) const {
+  constexpr double kMinDepth = 0.1;  // [m]
+  if (!(point.z() > kMinDepth)) return false;
+  const double radius2 = point.head<2>().squaredNorm() / (point.z() * point.z());
+  return radius2 <= max_radius2_ && camera_.contains(camera_.project(point));
+}
+
+double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
+                     const PinholeCamera& camera) {
+  constexpr std::size_t kPoints = 100;
+  const std::size_t n = std::min(kPoints, cloud.size());
+  if (n == 0) return 0;
+  const FieldOfView view(camera);
+  std::size_t visible = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (view.contains(T_camera_cloud * cloud.position(i))) ++visible;
+  }
+  return static_cast<double>(visible) / static_cast<double>(n);
+}
+
+}  // namespace cvo_slam
