@@ -17,8 +17,7 @@
 
 #include "cvo_slam/backend/chordal_initialization.h"
 #include "cvo_slam/backend/optimizer.h"
-#include "cvo_slam/core/information.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/io/g2o.h"
 
 namespace cvo_slam {

@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/core/information.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/keyframe_map_internal.h"
 #include "cvo_slam/slam/path_uncertainty_internal.h"
 #include "cvo_slam/slam/view_overlap_internal.h"

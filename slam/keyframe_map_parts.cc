@@ -13,7 +13,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/keyframe_map_internal.h"
 #include "cvo_slam/slam/path_uncertainty_internal.h"
 

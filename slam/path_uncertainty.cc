@@ -5,7 +5,7 @@
 
 #include <Eigen/LU>
 
-#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/path_uncertainty_internal.h"
 
 namespace cvo_slam {

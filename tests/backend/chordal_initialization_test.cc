@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/bench/graph_samples.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {

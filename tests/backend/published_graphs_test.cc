@@ -8,7 +8,7 @@
 
 #include "cvo_slam/backend/chordal_initialization.h"
 #include "cvo_slam/backend/optimizer.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/tests/test_data.h"
 

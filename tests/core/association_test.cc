@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/pose_interpolation.h"
 #include "cvo_slam/tests/core/trajectory_samples.h"
 
 namespace cvo_slam {

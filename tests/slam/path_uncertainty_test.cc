@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/backend/marginal_covariances.h"
-#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/path_uncertainty_internal.h"
 
 namespace cvo_slam {
