@@ -37,15 +37,15 @@ struct Map {
 
 /// How the points of a map are computed from frames.
 struct FusionOptions {
+  int pixel_step = 3;
   /// Edge length of the voxels, each of which leaves one point [m], 1 mm to 10 m. 2 cm is the depth
   /// noise of a Kinect at 3 m. Smaller shows more detail of near surfaces and takes more memory;
   /// larger suits wide outdoor scenes.
   double voxel_size = 0.02;
+  int min_samples = 2;
   /// Pixels with a larger depth are left out [m], 0.1 to 1000. A Kinect's depth has steps of 3 cm
   /// at 4 m. Raise it for a sensor that is accurate farther away.
   double max_depth = 4;
-  int pixel_step = 3;
-  int min_samples = 2;
   double max_jump = 0.05;
   double min_cosine = 0.15;
 };
