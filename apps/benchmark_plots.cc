@@ -4,7 +4,7 @@
 
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/relative_pose_error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/plot/comparison_plot.h"
 #include "cvo_slam/plot/plot_file.h"
 

@@ -10,9 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/association.h"
-#include "cvo_slam/core/relative_pose_error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 
 namespace cvo_slam {
 

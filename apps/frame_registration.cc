@@ -10,7 +10,7 @@
 
 #include "cvo_slam/apps/odometry_run.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/units.h"
+#include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/point_selection.h"
 
 namespace cvo_slam {

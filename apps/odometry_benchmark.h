@@ -11,8 +11,8 @@
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/odometry_system.h"
 #include "cvo_slam/apps/tracking_arguments.h"
-#include "cvo_slam/core/statistics.h"
 #include "cvo_slam/core/trajectory.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/dataset.h"
 
 namespace cvo_slam {

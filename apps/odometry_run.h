@@ -9,7 +9,7 @@
 
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/tracking_arguments.h"
-#include "cvo_slam/core/point_fusion.h"
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"

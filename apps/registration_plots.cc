@@ -12,7 +12,7 @@
 #include "cvo_slam/apps/sparsity_image.h"
 #include "cvo_slam/apps/step_plot.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/core/point_fusion.h"
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/render/picture.h"
 
 namespace cvo_slam {

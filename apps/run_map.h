@@ -13,7 +13,6 @@
 #include "cvo_slam/apps/odometry_run.h"
 #include "cvo_slam/apps/slam_run.h"
 #include "cvo_slam/core/map.h"
-#include "cvo_slam/core/point_fusion.h"
 
 namespace cvo_slam {
 

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <utility>
 
-#include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/ply.h"

@@ -11,8 +11,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/core/options.h"
-#include "cvo_slam/core/point_fusion.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam_options.h"

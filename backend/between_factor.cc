@@ -4,7 +4,7 @@
 
 #include "cvo_slam/backend/between_factor_internal.h"
 #include "cvo_slam/backend/quaternion_internal.h"
-#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {

@@ -8,7 +8,7 @@
 #include "cvo_slam/backend/robust_cost_internal.h"
 #include "cvo_slam/backend/start_internal.h"
 #include "cvo_slam/backend/weighted_graph_internal.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {

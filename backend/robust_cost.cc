@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cvo_slam/backend/robust_cost_internal.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 

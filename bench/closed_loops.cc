@@ -17,10 +17,9 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/bench/seen_share.h"
-#include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/pose_interpolation.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam.h"
 

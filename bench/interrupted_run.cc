@@ -13,9 +13,9 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
-#include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam.h"
 

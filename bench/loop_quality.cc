@@ -23,14 +23,14 @@
 #include "cvo_slam/apps/match_picture.h"
 #include "cvo_slam/apps/settings.h"
 #include "cvo_slam/bench/seen_share.h"
+#include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/core/pose_interpolation.h"
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/loop/loop_detector.h"
-#include "cvo_slam/loop/vocabulary_file.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 
 namespace cvo_slam {
 namespace {

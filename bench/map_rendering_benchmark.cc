@@ -4,7 +4,7 @@
 // What a picture of 1920x1080 of a map of a million points costs, and what making such a map does.
 #include <benchmark/benchmark.h>
 
-#include "cvo_slam/core/point_fusion.h"
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/render/picture.h"
 #include "cvo_slam/synthetic/renderer.h"
 #include "cvo_slam/synthetic/sequence.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/pose_interpolation.h"
+#include "cvo_slam/core/trajectory_errors.h"
 
 namespace cvo_slam {
 namespace {
@@ -37,14 +37,14 @@ std::vector<StampedPose> shifted(std::vector<StampedPose> poses, double offset) 
   return poses;
 }
 
-/// The stamp rounded to double precision (0.24 us today). evo computes with such numbers, and a
-/// stamp half way between two others finds the same one of them only if we round as well: one does
-/// so in fr2/desk, which changes the figures in the sixth decimal.
+/// Returns the stamp rounded to double precision (0.24 us today). evo computes with such numbers. A
+/// stamp half way between two others finds the same partner only if it is rounded here as well; one
+/// stamp of fr2/desk is such a case and changes the figures in the sixth decimal.
 double rounded_seconds(const Timestamp& stamp) {
   return static_cast<double>(static_cast<long double>(stamp.nanoseconds()) / 1e9L);
 }
 
-/// The pose nearest in time, the earlier of two equally near ones; null where it is too far.
+/// Returns the pose nearest in time, the earlier of two equally near ones; null if it is too far.
 const StampedPose* nearest(const std::vector<StampedPose>& poses, const Timestamp& stamp,
                            double max_difference) {
   const auto after =
@@ -110,6 +110,31 @@ std::vector<MatchedPose> associate(const std::vector<StampedPose>& reference,
         describe_range(moved), describe_range(reference)));
   }
   return matches;
+}
+
+std::optional<SE3> interpolate_at(const std::vector<StampedPose>& poses, const Timestamp& stamp,
+                                  double max_gap) {
+  const auto after =
+      std::lower_bound(poses.begin(), poses.end(), stamp,
+                       [](const StampedPose& pose, const Timestamp& t) { return pose.stamp < t; });
+  if (after == poses.end()) return std::nullopt;
+  if (after->stamp == stamp) return after->T_world_camera;
+  if (after == poses.begin()) return std::nullopt;
+  const auto before = std::prev(after);
+  const double gap = seconds_between(before->stamp, after->stamp);
+  if (gap > max_gap) return std::nullopt;
+  return interpolate(before->T_world_camera, after->T_world_camera,
+                     seconds_between(before->stamp, stamp) / gap);
+}
+
+double longest_usual_step(const std::vector<Timestamp>& stamps) {
+  constexpr double kUsualSteps = 5;
+  constexpr double kAlwaysJoined = 0.5;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
+    steps.push_back(seconds_between(stamps[i - 1], stamps[i]));
+  }
+  return std::fmax(kUsualSteps * summarize(steps).median, kAlwaysJoined);
 }
 
 }  // namespace cvo_slam

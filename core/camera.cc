@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/core/brown_distortion.h"
 #include "cvo_slam/core/error.h"
 
 namespace cvo_slam {
@@ -34,7 +33,7 @@ Vector3 PinholeCamera::unproject(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d observed((pixel.x() - cx) / fx, (pixel.y() - cy) / fy);
   Eigen::Vector2d undistorted = observed;
   if (has_distortion()) {
-    // Converges where the model is monotone, which a usable calibration is inside its image.
+    // Converges if the model is monotone, which a usable calibration is inside its image.
     constexpr int kIterations = 50;
     constexpr double kTolerance = 1e-10;
     for (int i = 0; i < kIterations; ++i) {

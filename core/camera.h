@@ -13,6 +13,21 @@
 
 namespace cvo_slam {
 
+/// Applies Brown's lens distortion to the normalised coordinates (x, y) = (X/Z, Y/Z), in place:
+/// D. C. Brown, "Decentering distortion of lenses", 1966, with the coefficients k1, k2, p1, p2, k3
+/// in the order of OpenCV. Inline and for any scalar, so that loops over images vectorise.
+template <typename Scalar>
+inline void apply_brown_distortion(const std::array<Scalar, 5>& coefficients, Scalar& x,
+                                   Scalar& y) {
+  const auto& [k1, k2, p1, p2, k3] = coefficients;
+  const Scalar r2 = x * x + y * y;
+  const Scalar radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+  const Scalar twice_xy = 2 * x * y;
+  const Scalar distorted_x = x * radial + p1 * twice_xy + p2 * (r2 + 2 * x * x);
+  y = y * radial + p1 * (r2 + 2 * y * y) + p2 * twice_xy;
+  x = distorted_x;
+}
+
 /// A pinhole camera with Brown's distortion. Pixel (0, 0) is the centre of the upper left pixel;
 /// the camera looks along +z with x to the right and y down (fy < 0 flips y, as in ICL-NUIM).
 struct PinholeCamera {
@@ -25,49 +40,52 @@ struct PinholeCamera {
   /// k1, k2, p1, p2, k3 as in OpenCV; all zero = no distortion.
   std::array<double, 5> distortion = {0, 0, 0, 0, 0};
 
+  /// Returns true if any distortion coefficient is not zero.
   [[nodiscard]] bool has_distortion() const;
-  /// The pixel of a point in the camera frame [m]; z must be positive.
+  /// Returns the pixel of a point in the camera frame [m]; z must be positive.
   [[nodiscard]] Eigen::Vector2d project(const Vector3& point) const;
-  /// The point (x/z, y/z, 1) of a pixel, distortion removed by fixed-point iteration.
+  /// Returns the point (x/z, y/z, 1) of a pixel; distortion is removed by fixed-point iteration.
   [[nodiscard]] Vector3 unproject(const Eigen::Vector2d& pixel) const;
-  /// True where the pixel lies on the image.
+  /// Returns true if the pixel lies on the image.
   [[nodiscard]] bool contains(const Eigen::Vector2d& pixel) const;
 
-  /// Throws OptionError where a size or focal length is impossible.
+  /// Throws OptionError if a size or focal length is impossible.
   void check() const;
 };
 
-/// A depth camera of its own, for sensors whose depth images are not registered to colour.
+/// A separate depth camera, for sensors whose depth images are not registered to colour.
 struct DepthCamera {
   PinholeCamera pinhole;
   SE3 T_color_depth;
 };
 
-/// The noise model of a sensor: how far its measurements scatter, as standard deviations.
+/// The noise model of a sensor: the standard deviations of its measurements. The defaults are those
+/// of the first Kinect.
 struct SensorNoise {
-  double depth_floor = 0.003;      ///< of a depth of up to about a metre [m]
-  double depth_quadratic = 0.003;  ///< of a depth z beyond, over z^2 [1/m]
-  double pixel = 1;                ///< of where a feature is found in the colour image [px]
+  double depth_floor = 0.003;      ///< least standard deviation of a depth [m]
+  double depth_quadratic = 0.003;  ///< standard deviation of a large depth z, divided by z^2 [1/m]
+  double pixel = 1;                ///< of a feature's position in the colour image [px]
 
-  /// Standard deviation of a depth z [m].
+  /// Returns the standard deviation of a depth z [m].
   [[nodiscard]] double sigma_z(double z) const {
     return std::max(depth_floor, depth_quadratic * z * z);
   }
 };
 
-/// An RGB-D camera. Frames handed to the tracker have depth registered to colour; where the sensor
-/// does not do that, `depth` says how and the dataset reader does it.
+/// An RGB-D camera. Frames handed to the tracker have depth registered to colour. If the sensor
+/// does not do that, `depth` describes its depth camera and the reader of the data set registers
+/// the images.
 struct Camera {
   std::string name = "default";  ///< for messages and reports
   PinholeCamera color;
-  double depth_scale = 5000.0;  ///< units of the 16-bit depth image a metre
-  /// Of a rolling shutter: from the first row to the last [s]; the stamp is the middle row's. 0 for
-  /// a global shutter.
+  double depth_scale = 5000.0;  ///< units of the 16-bit depth image per metre
+  /// Time that a rolling shutter takes from the first row to the last [s]; the stamp is the middle
+  /// row's. 0 for a global shutter.
   double readout_time = 0;
   std::optional<DepthCamera> depth;
   SensorNoise noise;
 
-  /// Throws OptionError where a value is impossible.
+  /// Throws OptionError if a value is impossible.
   void check() const;
 };
 

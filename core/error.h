@@ -8,14 +8,15 @@
 
 namespace cvo_slam {
 
-/// Base of every exception this library throws. what() is one line that says what is wrong, where,
-/// and what to do about it.
+/// Base class of every exception that this library throws. what() is one line that says what is
+/// wrong, where, and what to do about it.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An input (file, folder, stream) cannot be used. what() starts with "file:line: " where known.
+/// An input (file, folder, stream) cannot be used. what() starts with "file:line: " if the line is
+/// known.
 class InputError : public Error {
  public:
   InputError(const std::filesystem::path& file, const std::string& problem);
@@ -29,8 +30,8 @@ class OptionError : public Error {
   using Error::Error;
 };
 
-/// Data that was read well has no answer to what is asked of it: trajectories that share no time,
-/// positions on a line that are to be aligned, ...
+/// Valid data has no answer to a question, for example two trajectories without common stamps, or
+/// an alignment of positions that lie on one line.
 class DataError : public Error {
  public:
   using Error::Error;

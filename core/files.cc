@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 std::string last_system_error() { return std::generic_category().message(errno); }
 
-/// Throws OutputError, which names `file`, where the bytes do not all arrive at `place`.
+/// Writes the bytes to `place`. Throws OutputError, which names `file`, if not all can be written.
 void write_to(const fs::path& place, std::string_view bytes, const fs::path& file) {
   errno = 0;
   std::ofstream stream(place, std::ios::binary | std::ios::trunc);
@@ -31,7 +31,7 @@ void write_to(const fs::path& place, std::string_view bytes, const fs::path& fil
                                       errno != 0 ? last_system_error() : "unknown error"));
 }
 
-/// A name beside `file` that no other call uses at the same time.
+/// Returns a name in the folder of `file` that no other call uses at the same time.
 fs::path name_aside(const fs::path& file) {
   static std::atomic<unsigned> calls{0};
   fs::path aside = file;
@@ -39,7 +39,8 @@ fs::path name_aside(const fs::path& file) {
   return aside;
 }
 
-/// Where a link leads; the file itself where it is none or leads nowhere yet.
+/// Returns the target of a symbolic link; the file itself if it is no link or the target is
+/// unknown.
 fs::path resolved(const fs::path& file) {
   std::error_code problem;
   if (!fs::is_symlink(fs::symlink_status(file, problem))) return file;
@@ -62,7 +63,7 @@ std::string read_file(const fs::path& file) {
                                        last_system_error()));
   }
   std::string bytes;
-  const auto size = fs::file_size(file, problem);  // of a pipe there is none
+  const auto size = fs::file_size(file, problem);  // fails for a pipe
   if (!problem) bytes.reserve(size);
   bytes.assign(std::istreambuf_iterator<char>(stream), {});
   if (stream.bad()) throw InputError(file, "cannot be read to its end; check the disk");

@@ -8,20 +8,20 @@
 
 namespace cvo_slam {
 
-/// Returns all bytes of a file. Throws InputError where it cannot be read to its end.
+/// Returns all bytes of a file. Throws InputError if it cannot be read to its end.
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
 
-/// Writes a file whole or not at all: the bytes go to a file beside it, which takes its name when
-/// all have arrived. A file that exists is replaced; what a symbolic link points to is replaced
-/// where it lies, and devices and pipes are written to directly. Throws OutputError where not all
-/// bytes arrive; the file that was there is then as it was.
+/// Writes a file completely or not at all: the bytes go to a temporary file in the same folder,
+/// which is renamed when all are written. An existing file is replaced; for a symbolic link, the
+/// file it points to is replaced; devices and pipes are written to directly. Throws OutputError if
+/// not all bytes can be written; an existing file is then unchanged.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Makes a folder and the missing ones above it. Returns true if it did not exist. Throws
-/// OutputError.
+/// Makes a folder and its missing parents. Returns true if it did not exist. Throws OutputError if
+/// it cannot be made.
 bool make_folder(const std::filesystem::path& folder);
 
-/// Removes a file or an empty folder if it exists. Throws OutputError.
+/// Removes a file or an empty folder if it exists. Throws OutputError if it cannot be removed.
 void remove_file(const std::filesystem::path& file);
 
 }  // namespace cvo_slam

@@ -4,29 +4,82 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
 
+#include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/options.h"
+#include "cvo_slam/core/parallel.h"
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/trajectory.h"
 
 namespace cvo_slam {
 
-/// A piece of surface.
+/// A point of a surface.
 struct MapPoint {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< in the world [m]
-  /// Unit vector towards the side it was seen from; zero where it is not known.
+  /// Unit vector towards the side the point was seen from; zero if it is not known.
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   std::array<std::uint8_t, 3> color = {0, 0, 0};  ///< red, green, blue
 };
 
-/// What is known of a place: where the camera stood, how that was measured, and what it saw.
+/// A map: the poses of the keyframes, the measurements between them, and the surface they saw.
 struct Map {
   std::vector<StampedPose> keyframes;  ///< in ascending order of stamps
-  /// Node i is keyframe i and has its pose; without nodes where nothing but poses is known.
+  /// Node i is keyframe i and has its pose. Without nodes if nothing but the poses is known.
   PoseGraph graph;
   std::vector<MapPoint> points;
 };
+
+/// How the points of a map are computed from frames.
+struct FusionOptions {
+  int pixel_step = 3;
+  /// Edge length of the voxels, each of which leaves one point [m], 1 mm to 10 m. 2 cm is the depth
+  /// noise of a Kinect at 3 m. Smaller shows more detail of near surfaces and takes more memory;
+  /// larger suits wide outdoor scenes.
+  double voxel_size = 0.02;
+  int min_samples = 2;
+  /// Pixels with a larger depth are left out [m], 0.1 to 1000. A Kinect's depth has steps of 3 cm
+  /// at 4 m. Raise it for a sensor that is accurate farther away.
+  double max_depth = 4;
+  double max_jump = 0.05;
+  double min_cosine = 0.15;
+};
+
+[[nodiscard]] OptionSet describe(FusionOptions& options);
+
+/// The pixels of a frame that fusion uses: small enough to be kept for every keyframe until its
+/// pose is final.
+struct SampledFrame {
+  Timestamp stamp;
+  int pixel_step = 1;  ///< pixel (u, v) here is pixel step * (u, v) + step / 2 of the frame
+  cv::Mat color;       ///< as RgbdFrame::color
+  cv::Mat depth;       ///< as RgbdFrame::depth
+};
+
+/// Returns every `pixel_step`-th pixel of every `pixel_step`-th row; without images if the frame
+/// has none, or has images of different sizes.
+[[nodiscard]] SampledFrame sample_frame(const RgbdFrame& frame, int pixel_step);
+
+/// A sampled frame and its pose.
+struct PosedFrame {
+  SampledFrame frame;
+  SE3 T_world_camera;
+};
+
+/// Returns the surface that the frames saw: for each voxel the mean of the points in it, weighted
+/// by 1 / sigma_z^2 of the camera's noise model. Normals are computed from the depth images and
+/// point to the camera. Pixels at the rim of a surface, surfaces seen at a grazing angle, and
+/// frames without images or with a pose that is not finite are left out. Points are in the order in
+/// which their voxels were met, whatever the number of threads. Throws OptionError if the camera or
+/// an option is impossible.
+[[nodiscard]] std::vector<MapPoint> fuse_points(std::span<const PosedFrame> frames,
+                                                const Camera& camera,
+                                                const FusionOptions& options = {},
+                                                const Executor& executor = Executor(1));
 
 }  // namespace cvo_slam

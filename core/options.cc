@@ -16,7 +16,7 @@
 namespace cvo_slam {
 namespace {
 
-/// What the keys of experts' options start with.
+/// Prefix of the keys of expert options.
 constexpr std::string_view kExpert = "expert.";
 
 bool is_expert(std::string_view key) { return key.starts_with(kExpert); }
@@ -105,8 +105,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-}  // namespace
-
+/// Returns the candidate with the smallest edit distance to `word`; an empty text if there is none,
+/// or if even that one differs in so many letters that `word` is no misspelling of it.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
   std::size_t best = (word.size() + 1) / 2 + 1;
   std::string nearest;
@@ -118,6 +118,8 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
   }
   return nearest;
 }
+
+}  // namespace
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string nearest = nearest_name(word, candidates);

@@ -18,15 +18,15 @@ struct Range {
   T max = std::numeric_limits<T>::max();
 };
 
-/// One option of an options struct, with its type erased: what a YAML reader, `--set`, a help page
-/// or a language binding needs to know of it.
+/// One option of an options struct, with its type erased, for YAML readers, `--set`, help pages and
+/// language bindings.
 struct Option {
   std::string key;      ///< dotted path, e.g. "registration.solver"; see OptionSet::expert()
   std::string unit;     ///< "m", "rad", "px", ... or empty
   std::string allowed;  ///< range or choices, for people
-  std::string doc;      ///< what it is and why its default is what it is
+  std::string doc;      ///< what the option means, in one or two sentences
   std::function<std::string()> get;
-  /// Parses and stores; throws OptionError where the text is not a permitted value.
+  /// Parses and stores a value; throws OptionError if the text is not a permitted value.
   std::function<void(std::string_view)> set;
 };
 
@@ -36,7 +36,7 @@ struct Option {
 /// The set refers to the described struct, which must outlive it.
 class OptionSet {
  public:
-  /// Text and value of one choice of an enumeration.
+  /// Texts and values of an enumeration.
   template <typename E>
   using Choices = std::vector<std::pair<std::string, E>>;
 
@@ -45,26 +45,29 @@ class OptionSet {
                  std::string doc);
   OptionSet& add(const std::string& key, double& value, Range<double> range, std::string unit,
                  std::string doc);
-  /// A list is written "[a, b, c]"; `range` holds for each element; it must not be empty.
+  /// Adds a list, which is written "[a, b, c]" and must not be empty; `range` holds for each
+  /// element.
   OptionSet& add(const std::string& key, std::vector<int>& value, Range<int> range,
                  std::string unit, std::string doc);
   OptionSet& add(const std::string& key, std::vector<double>& value, Range<double> range,
                  std::string unit, std::string doc);
   template <typename E>
   OptionSet& add(const std::string& key, E& value, Choices<E> choices, const std::string& doc);
-  /// All options of a nested struct, their keys prefixed by "prefix.".
+  /// Adds all options of a nested struct, their keys prefixed by "prefix.".
   OptionSet& add(const std::string& prefix, const OptionSet& nested);
-  /// Marks the options that are added after this call as experts' ones, which nobody needs to know
-  /// for good results: their keys start with "expert.", before all prefixes.
+  /// Marks all options that are added after this call as expert options, which are not needed for
+  /// good results: their keys start with "expert.", before all prefixes.
   OptionSet& expert();
 
   [[nodiscard]] const std::vector<Option>& options() const& { return options_; }
-  /// Of a temporary set by value, so that `for (... : describe(x).options())` does not dangle.
+  /// Returns the options of a temporary set by value, so that `for (... : describe(x).options())`
+  /// does not dangle.
   [[nodiscard]] std::vector<Option> options() && { return std::move(options_); }
   [[nodiscard]] std::string get(std::string_view key) const;
-  /// Throws OptionError for an unknown key (the message names a near one) or a bad value.
+  /// Sets an option from a text. Throws OptionError for an unknown key (the message names a near
+  /// one) or a bad value.
   void set(std::string_view key, std::string_view text) const;
-  /// Throws OptionError where a value set by code instead of set() is out of range.
+  /// Throws OptionError if a value that code has set without set() is out of range.
   void check() const;
 
  private:
@@ -76,7 +79,7 @@ class OptionSet {
   OptionSet& append(Option option);
 
   std::vector<Option> options_;
-  bool expert_ = false;  // what is added now is an expert's
+  bool expert_ = false;  // options that are added now are expert options
 };
 
 template <typename E>
@@ -93,13 +96,9 @@ OptionSet& OptionSet::add(const std::string& key, E& value, Choices<E> choices,
   return add_choice(key, std::move(names), index_of_value, set_index, doc);
 }
 
-/// The candidate with the smallest edit distance to `word`; empty where there is none or where even
-/// that differs in more than half of the word's letters (rounded up), so that it is no misspelling.
-[[nodiscard]] std::string nearest_name(std::string_view word,
-                                       const std::vector<std::string>& candidates);
-
-/// What to do about an unknown word, for the end of a message: "did you mean 'run'?", or all the
-/// candidates where none is near.
+/// Returns what to do about an unknown word, for the end of an error message: "did you mean 'run'?"
+/// with the candidate of the smallest edit distance, or the list of all candidates if even that one
+/// differs in more than half of the word's letters (rounded up).
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      const std::vector<std::string>& candidates);
 

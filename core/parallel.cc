@@ -32,8 +32,8 @@ void Executor::run(std::size_t n, std::size_t chunk_size, const void* function, 
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
     return;
   }
-  // TBB orders the chunks before the return by itself. The counter says it again where the thread
-  // sanitizer can see it: Debian's libtbb is not instrumented.
+  // TBB itself orders the chunks before the return. The counter repeats this for the thread
+  // sanitizer, because Debian's libtbb is not instrumented.
   std::atomic<std::size_t> finished{0};
   const auto run_and_count = [&](std::size_t chunk) {
     run_chunk(chunk);

@@ -7,9 +7,10 @@
 
 namespace cvo_slam {
 
-/// Runs loops on a bounded number of threads with results that do not depend on that number: the
-/// range is cut into chunks of a fixed size, each chunk writes to its own slot, and the caller
-/// combines the slots in order. One executor per user object; there is no process-wide setting.
+/// Runs loops on a bounded number of threads, with results that do not depend on that number: the
+/// range is divided into chunks of a fixed size, each chunk writes to its own slot, and the caller
+/// combines the slots in order. Each object that computes has its own executor; there is no
+/// process-wide setting.
 class Executor {
  public:
   /// `threads` >= 1; with 1 everything runs in the calling thread.
@@ -36,14 +37,14 @@ class Executor {
 
  private:
   struct Arena;
-  // A pointer to a function and its object, because a std::function may allocate.
+  // A pointer to a function with its object, because a std::function may allocate memory.
   using Call = void (*)(const void* function, std::size_t chunk, std::size_t begin,
                         std::size_t end);
 
   void run(std::size_t n, std::size_t chunk_size, const void* function, Call call) const;
 
   int threads_;
-  std::unique_ptr<Arena> arena_;  // empty with one thread
+  std::unique_ptr<Arena> arena_;  // null with one thread
 };
 
 }  // namespace cvo_slam

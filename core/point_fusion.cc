@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/core/point_fusion.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include <Eigen/Geometry>
 
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/core/voxel_grid_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-/// A pixel's surface in the camera's frame.
+/// The piece of surface that a pixel shows, in the camera frame.
 struct Sample {
   Eigen::Vector3f position;
   Eigen::Vector3f normal;
@@ -48,7 +47,7 @@ class Rays {
   std::vector<Eigen::Vector3f> rays_;
 };
 
-/// The points of a sampled depth image, and where it has none.
+/// The surface points of a sampled depth image.
 class DepthSurface {
  public:
   DepthSurface(const SampledFrame& frame, const Rays& ray, const Camera& camera,
@@ -72,14 +71,15 @@ class DepthSurface {
   }
 
  private:
-  /// [m]; 0 where there is none.
+  /// Returns the depth of a pixel [m]; 0 if it has none or lies outside the image.
   [[nodiscard]] float depth(int u, int v) const {
     const bool inside = u >= 0 && v >= 0 && u < frame_.depth.cols && v < frame_.depth.rows;
     return inside ? metres_ * static_cast<float>(frame_.depth.at<std::uint16_t>(v, u)) : 0;
   }
 
-  /// The surface's direction from the pixel on one side to that on the other; where one of them is
-  /// missing or beyond a jump, from or to the pixel itself. False where both are.
+  /// Computes the surface's direction from the neighbour on one side of a pixel to the neighbour on
+  /// the other side. A neighbour without depth or beyond a jump is replaced by the pixel itself.
+  /// Returns false if neither neighbour can be used.
   bool tangent(int u, int v, float z, int du, int dv, Eigen::Vector3f& direction) const {
     const float before = depth(u - du, v - dv);
     const float after = depth(u + du, v + dv);
@@ -140,13 +140,18 @@ std::vector<Sample> samples_in_camera(const PosedFrame& posed, const Rays& usual
   return DepthSurface(frame, Rays(frame, camera.color), camera, options).samples();
 }
 
-void add_to(VoxelGrid& grid, const std::vector<Sample>& samples, const SE3& T_world_camera) {
+/// Returns the weight of a depth z: its inverse variance, or 1 if the sensor has no noise.
+float weight_of(double z, const SensorNoise& noise) {
+  const double sigma = noise.sigma_z(z);
+  return sigma > 0 ? static_cast<float>(1 / (sigma * sigma)) : 1;
+}
+
+void add_to(VoxelGrid& grid, const std::vector<Sample>& samples, const SE3& T_world_camera,
+            const SensorNoise& noise) {
   const Eigen::Matrix3f R = T_world_camera.rotation().cast<float>();
   for (const Sample& sample : samples) {
-    const float z = sample.position.z();
-    const float weight = 1 / (z * z * z * z);
     grid.add(T_world_camera * sample.position.cast<double>(), R * sample.normal, sample.color,
-             weight);
+             weight_of(sample.position.z(), noise));
   }
 }
 
@@ -154,23 +159,24 @@ void add_to(VoxelGrid& grid, const std::vector<Sample>& samples, const SE3& T_wo
 
 OptionSet describe(FusionOptions& o) {
   return OptionSet()
-      .add("pixel_step", o.pixel_step, {1, 64}, "px",
-           "Every which pixel, along and across, of a keyframe becomes a point. 3: 1.1 cm apart at "
-           "2 m with a Kinect, so that one view puts two or three into a voxel")
-      .add("voxel_size", o.voxel_size, {1e-3, 10}, "m",
-           "Edge of the cubes of which each leaves one point. 2 cm: a Kinect's noise at 3 m")
-      .add("min_samples", o.min_samples, {1, 1000}, "",
-           "Voxels that fewer pixels saw leave no point: most are noise. 2: more would thin out "
-           "what "
-           "a single keyframe saw 2 m away")
+      .add(
+          "voxel_size", o.voxel_size, {1e-3, 10}, "m",
+          "Edge length of the voxels, each of which leaves one point of the map. 2 cm is the depth "
+          "noise of a Kinect at 3 m.")
       .add("max_depth", o.max_depth, {0.1, 1000}, "m",
-           "Pixels further away are left out. A Kinect's depth is 3 cm coarse at 4 m")
+           "Pixels with a larger depth are left out of the map. A Kinect's depth has steps of 3 cm "
+           "at 4 m.")
+      .expert()
+      .add("pixel_step", o.pixel_step, {1, 64}, "px",
+           "Step between the pixels of a keyframe that become points, along rows and columns.")
+      .add("min_samples", o.min_samples, {1, 1000}, "",
+           "Least number of pixels that must have seen a voxel; with fewer it leaves no point.")
       .add("max_jump", o.max_jump, {1e-3, 1}, "",
-           "Neighbouring pixels whose depths differ by more than this share of the depth see "
-           "different surfaces. 0.05: a wall seen at 70 degrees, four pixels apart")
+           "Neighbouring pixels belong to different surfaces if their depths differ by more than "
+           "this share of the depth.")
       .add("min_cosine", o.min_cosine, {0, 1}, "",
-           "Of the angle between the ray and the normal; below it, above 81 degrees, a surface is "
-           "more often the slope that a depth camera draws between two others");
+           "Least cosine of the angle between the viewing ray and the normal; surfaces seen at a "
+           "more grazing angle are left out.");
 }
 
 SampledFrame sample_frame(const RgbdFrame& frame, int pixel_step) {
@@ -211,7 +217,7 @@ std::vector<MapPoint> fuse_points(std::span<const PosedFrame> frames, const Came
       samples[i] = samples_in_camera(batch[i], rays, camera, options);
     });
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      add_to(grid, samples[i], batch[i].T_world_camera);
+      add_to(grid, samples[i], batch[i].T_world_camera, camera.noise);
     }
   }
   return grid.points(options.min_samples);

@@ -3,18 +3,34 @@
 #include "cvo_slam/core/pose_graph.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/information.h"
 
 namespace cvo_slam {
 namespace {
 
-constexpr auto kUnlabelled = static_cast<std::size_t>(-1);
+/// Returns why a matrix cannot be an information (inverse covariance) matrix, as the end of a
+/// sentence; an empty text if it can. It must be finite, symmetric and positive semi-definite, the
+/// last two up to rounding.
+std::string information_problem(const Matrix6& information) {
+  if (!information.allFinite()) return "has values that are not finite numbers";
+  // Sums in another order, or a file with ten digits, leave such differences.
+  constexpr double kRounding = 1e-9;
+  const double size = information.cwiseAbs().maxCoeff();
+  if ((information - information.transpose()).cwiseAbs().maxCoeff() > kRounding * size) {
+    return "is not symmetric";
+  }
+  // The factorisation is fifty times faster than the eigenvalues, and nearly always enough.
+  if (Eigen::LLT<AlignedMatrix6>(information).info() == Eigen::Success) return {};
+  const Eigen::SelfAdjointEigenSolver<AlignedMatrix6> eigen(information, Eigen::EigenvaluesOnly);
+  if (eigen.eigenvalues().minCoeff() < -kRounding * size) return "has a negative eigenvalue";
+  return {};
+}
 
 void check_edge(const PoseGraphEdge& edge) {
   const auto fail = [&](const std::string& problem) {
@@ -28,15 +44,6 @@ void check_edge(const PoseGraphEdge& edge) {
   if (!problem.empty()) fail(fmt::format("the information matrix {}", problem));
 }
 
-/// The root of a node's tree; paths are halved on the way.
-std::size_t find_root(std::vector<std::size_t>& parent, std::size_t node) {
-  while (parent[node] != node) {
-    parent[node] = parent[parent[node]];
-    node = parent[node];
-  }
-  return node;
-}
-
 }  // namespace
 
 void PoseGraph::add_node(const PoseGraphNode& node) {
@@ -46,18 +53,17 @@ void PoseGraph::add_node(const PoseGraphNode& node) {
   if (!index_.emplace(node.id, nodes_.size()).second) {
     throw DataError(fmt::format("node {} exists already; ids must be unique", node.id));
   }
+  parent_.push_back(nodes_.size());
+  fixed_count_.push_back(node.fixed ? 1 : 0);
+  edges_of_node_.emplace_back();
   nodes_.push_back(node);
-  edges_of_.emplace_back();
 }
 
 void PoseGraph::add_edge(const PoseGraphEdge& edge) {
   check_edge(edge);
-  const std::size_t from = index_of(edge.from);
-  const std::size_t to = index_of(edge.to);
-  edges_of_[from].push_back(edges_.size());
-  edges_of_[to].push_back(edges_.size());
-  ends_.emplace_back(from, to);
+  ends_.emplace_back(index_of(edge.from), index_of(edge.to));
   edges_.push_back(edge);
+  link_edge(edges_.size() - 1);
 }
 
 void PoseGraph::remove_edge(std::size_t index) {
@@ -66,17 +72,39 @@ void PoseGraph::remove_edge(std::size_t index) {
   }
   edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(index));
   ends_.erase(ends_.begin() + static_cast<std::ptrdiff_t>(index));
-  for (std::vector<std::size_t>& edges : edges_of_) {
-    std::erase(edges, index);
-    for (std::size_t& edge : edges) edge -= edge > index ? 1 : 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    parent_[i] = i;
+    fixed_count_[i] = nodes_[i].fixed ? 1 : 0;
+    edges_of_node_[i].clear();
   }
+  for (std::size_t i = 0; i < edges_.size(); ++i) link_edge(i);
 }
 
-bool PoseGraph::has_edge(NodeId from, NodeId to) const {
-  const std::size_t a = index_of(from);
-  const std::size_t b = index_of(to);
-  return std::any_of(edges_of_[b].begin(), edges_of_[b].end(), [&](std::size_t edge) {
-    return ends_[edge] == std::make_pair(a, b);
+void PoseGraph::link_edge(std::size_t edge) {
+  const auto [from, to] = ends_[edge];
+  edges_of_node_[from].push_back(edge);
+  edges_of_node_[to].push_back(edge);
+  const auto [first, second] = std::minmax({find_root(from), find_root(to)});
+  if (first == second) return;
+  parent_[second] = first;
+  fixed_count_[first] += fixed_count_[second];
+}
+
+std::size_t PoseGraph::find_root(std::size_t node) {
+  while (parent_[node] != node) {
+    parent_[node] = parent_[parent_[node]];  // halves the path for the next search
+    node = parent_[node];
+  }
+  return node;
+}
+
+bool PoseGraph::has_edge(NodeId a, NodeId b) const {
+  const std::size_t node_a = index_of(a);
+  const std::size_t node_b = index_of(b);
+  const bool a_has_fewer = edges_of_node_[node_a].size() < edges_of_node_[node_b].size();
+  const std::vector<std::size_t>& edges = edges_of_node_[a_has_fewer ? node_a : node_b];
+  return std::any_of(edges.begin(), edges.end(), [&](std::size_t edge) {
+    return std::minmax(ends_[edge].first, ends_[edge].second) == std::minmax(node_a, node_b);
   });
 }
 
@@ -92,36 +120,30 @@ void PoseGraph::set_pose(std::size_t index, const SE3& T_world_node) {
   nodes_.at(index).T_world_node = T_world_node;
 }
 
-void PoseGraph::set_fixed(std::size_t index, bool fixed) { nodes_.at(index).fixed = fixed; }
+void PoseGraph::set_fixed(std::size_t index, bool fixed) {
+  if (nodes_.at(index).fixed == fixed) return;
+  nodes_[index].fixed = fixed;
+  std::size_t& count = fixed_count_[find_root(index)];
+  count = fixed ? count + 1 : count - 1;
+}
 
 std::vector<std::size_t> PoseGraph::components() const {
-  std::vector<std::size_t> parent(nodes_.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (const auto& [from, to] : ends_) {
-    const std::size_t a = find_root(parent, from);
-    const std::size_t b = find_root(parent, to);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  // A root is the first node of its part, so that it is labelled before the others.
-  std::vector<std::size_t> label(nodes_.size(), kUnlabelled);
+  std::vector<std::size_t> component(nodes_.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const std::size_t root = find_root(parent, i);
-    label[i] = root == i ? count++ : label[root];
+    component[i] = parent_[i] == i ? count++ : component[parent_[i]];
   }
-  return label;
+  return component;
+}
+
+bool PoseGraph::is_held(std::size_t index) const {
+  const bool is_root = parent_.at(index) == index;
+  return nodes_[index].fixed || (is_root && fixed_count_[index] == 0);
 }
 
 std::vector<bool> PoseGraph::held_nodes() const {
-  const std::vector<std::size_t> part = components();
-  std::vector<bool> part_is_held(nodes_.size());
   std::vector<bool> held(nodes_.size());
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (nodes_[i].fixed) held[i] = part_is_held[part[i]] = true;
-  }
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (!part_is_held[part[i]]) held[i] = part_is_held[part[i]] = true;
-  }
+  for (std::size_t i = 0; i < held.size(); ++i) held[i] = is_held(i);
   return held;
 }
 

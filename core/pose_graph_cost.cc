@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/core/pose_graph_cost.h"
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {
@@ -45,6 +48,24 @@ double graph_chi2_g2o(const PoseGraph& graph) {
     sum += weighted_square(e, edge.information);
   }
   return sum;
+}
+
+Matrix6 square_root_of_information(const Matrix6& information) {
+  const Eigen::LLT<AlignedMatrix6> cholesky(information);
+  if (cholesky.info() == Eigen::Success) return cholesky.matrixU();
+  const Eigen::SelfAdjointEigenSolver<AlignedMatrix6> eigen(information);
+  return eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+Matrix6 edge_information(const SE3& T_from_to, const Matrix6& information) {
+  // To first order T exp([v; w]) moves the estimate by R v and rotates it by R w, both seen in the
+  // frame `from`. The residual has the rotation of the measurement relative to that of the
+  // estimate: -R w.
+  Matrix6 residual_of_tangent = Matrix6::Zero();
+  residual_of_tangent.topLeftCorner<3, 3>() = T_from_to.rotation();
+  residual_of_tangent.bottomRightCorner<3, 3>() = -T_from_to.rotation();
+  return residual_of_tangent * information * residual_of_tangent.transpose();
 }
 
 }  // namespace cvo_slam

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/core/relative_pose_error.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 
 namespace cvo_slam {
 namespace {
@@ -38,7 +39,7 @@ IndexPairs pairs_by_frames(std::size_t count, double frames, bool all_pairs) {
   return pairs;
 }
 
-/// The estimate's path from the first match to each [m].
+/// Returns the length of the estimate's path from the first match to each match [m].
 std::vector<double> accumulated_path(const std::vector<MatchedPose>& matches) {
   std::vector<double> path(matches.size(), 0);
   for (std::size_t i = 1; i < matches.size(); ++i) {
@@ -48,7 +49,7 @@ std::vector<double> accumulated_path(const std::vector<MatchedPose>& matches) {
   return path;
 }
 
-/// The first index behind `from` whose path length is nearest to path[from] + delta.
+/// Returns the first index behind `from` whose path length is nearest to path[from] + delta.
 std::size_t nearest_by_path(const std::vector<double>& path, std::size_t from, double delta) {
   const auto begin = path.begin() + static_cast<std::ptrdiff_t>(from) + 1;
   const auto miss = [&](auto it) { return std::fabs(*it - path[from] - delta); };

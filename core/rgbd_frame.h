@@ -14,11 +14,12 @@ namespace cvo_slam {
 /// An associated pair of a colour and a depth image.
 struct RgbdFrame {
   std::size_t index = 0;  ///< position in its sequence, from 0
-  Timestamp stamp;        ///< of the colour image; the pose belongs to it
+  Timestamp stamp;        ///< stamp of the colour image, to which the pose belongs
   Timestamp depth_stamp;
   cv::Mat color;  ///< CV_8UC3 (blue, green, red) or CV_8UC1
-  cv::Mat depth;  ///< CV_16UC1, registered to `color`, Camera::depth_scale units a metre, 0 = none
-  /// Why the images could not be read; empty where they could. The tracker answers kLost with it.
+  cv::Mat
+      depth;  ///< CV_16UC1, registered to `color`, Camera::depth_scale units per metre, 0 = none
+  /// Why the images could not be read; empty if they could. The tracker reports kLost with it.
   std::string problem;
 };
 

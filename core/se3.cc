@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/core/se3.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -17,14 +15,12 @@ namespace {
 /// the fourth term, are exact to rounding. [rad]
 constexpr double kSmallAngle = 0.1;
 
-/// The scalar functions of the angle th that all closed forms are made of.
+/// The scalar functions of the angle th in the closed forms of exp and log.
 struct AngleCoefficients {
   double a;  ///< sin(th) / th
   double b;  ///< (1 - cos(th)) / th^2
   double c;  ///< (th - sin(th)) / th^3
-  double d;  ///< (1 - a / (2 b)) / th^2, of the inverse Jacobians of SO(3)
-  double e;  ///< (th^2 / 2 + cos(th) - 1) / th^4
-  double f;  ///< (th - sin(th) - th^3 / 6) / th^5
+  double d;  ///< (1 - a / (2 b)) / th^2, for the inverse Jacobian of SO(3)
 };
 
 AngleCoefficients angle_coefficients(double th) {
@@ -33,15 +29,13 @@ AngleCoefficients angle_coefficients(double th) {
     return {1 - t2 / 6 * (1 - t2 / 20 * (1 - t2 / 42 * (1 - t2 / 72))),
             (1 - t2 / 12 * (1 - t2 / 30 * (1 - t2 / 56))) / 2,
             (1 - t2 / 20 * (1 - t2 / 42 * (1 - t2 / 72))) / 6,
-            (1 + t2 / 60 * (1 + t2 / 42 * (1 + t2 / 40))) / 12,
-            (1 - t2 / 30 * (1 - t2 / 56 * (1 - t2 / 90))) / 24,
-            -(1 - t2 / 42 * (1 - t2 / 72 * (1 - t2 / 110))) / 120};
+            (1 + t2 / 60 * (1 + t2 / 42 * (1 + t2 / 40))) / 12};
   }
   const double half = std::sin(th / 2);
   const double a = std::sin(th) / th;
   const double b = 2 * half * half / t2;
   const double c = (1 - a) / t2;
-  return {a, b, c, (1 - a / (2 * b)) / t2, (0.5 - b) / t2, (c - 1.0 / 6) / t2};
+  return {a, b, c, (1 - a / (2 * b)) / t2};
 }
 
 Matrix3 so3_left_jacobian(const Vector3& w) {
@@ -54,20 +48,6 @@ Matrix3 so3_left_jacobian_inverse(const Vector3& w) {
   const auto k = angle_coefficients(w.norm());
   const Matrix3 W = skew(w);
   return Matrix3::Identity() - 0.5 * W + k.d * W * W;
-}
-
-/// The off-diagonal block of the left Jacobian of SE(3): Barfoot, State Estimation for Robotics,
-/// Eq. (7.86b), here for the tangent order [v; w].
-Matrix3 left_jacobian_block(const Vector3& v, const Vector3& w) {
-  const auto k = angle_coefficients(w.norm());
-  const Matrix3 V = skew(v);
-  const Matrix3 W = skew(w);
-  const Matrix3 WV = W * V;
-  const Matrix3 WVW = WV * W;
-  const Matrix3 VW = V * W;
-  const Matrix3 WW = W * W;
-  return 0.5 * V + k.c * (WV + VW + WVW) + k.e * (WW * V + V * WW - 3 * WVW) +
-         0.5 * (k.e + 3 * k.f) * (WVW * W + WW * VW);
 }
 
 }  // namespace
@@ -147,31 +127,6 @@ Matrix6 SE3::adjoint() const {
 SE3 SE3::normalized() const {
   return {Eigen::Quaterniond(rotation_).normalized().toRotationMatrix(), translation_};
 }
-
-Matrix6 left_jacobian(const Vector6& xi) {
-  const Vector3 v = xi.head<3>();
-  const Vector3 w = xi.tail<3>();
-  Matrix6 J = Matrix6::Zero();
-  J.topLeftCorner<3, 3>() = so3_left_jacobian(w);
-  J.topRightCorner<3, 3>() = left_jacobian_block(v, w);
-  J.bottomRightCorner<3, 3>() = J.topLeftCorner<3, 3>();
-  return J;
-}
-
-Matrix6 left_jacobian_inverse(const Vector6& xi) {
-  const Vector3 v = xi.head<3>();
-  const Vector3 w = xi.tail<3>();
-  const Matrix3 inverse = so3_left_jacobian_inverse(w);
-  Matrix6 J = Matrix6::Zero();
-  J.topLeftCorner<3, 3>() = inverse;
-  J.topRightCorner<3, 3>() = -inverse * left_jacobian_block(v, w) * inverse;
-  J.bottomRightCorner<3, 3>() = inverse;
-  return J;
-}
-
-Matrix6 right_jacobian(const Vector6& xi) { return left_jacobian(-xi); }
-
-Matrix6 right_jacobian_inverse(const Vector6& xi) { return left_jacobian_inverse(-xi); }
 
 SE3 interpolate(const SE3& a, const SE3& b, double s) {
   return a * SE3::exp(s * (a.inverse() * b).log());

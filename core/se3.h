@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <numbers>
+
 #include <Eigen/Core>
 
 namespace cvo_slam {
@@ -11,10 +13,13 @@ using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 using Matrix3 = Eigen::Matrix3d;
 /// Unaligned on purpose: the layout of public structs must not depend on the embedder's -m flags.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
-/// The same as Eigen aligns it: for computing with, not for keeping in a public struct.
+/// The same matrix with Eigen's alignment, for computations; not for members of public structs.
 using AlignedMatrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// The skew-symmetric matrix w^ with w^ p = w x p.
+/// One radian in degrees [deg/rad], for output to people: all angles inside are in radians.
+inline constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// Returns the skew-symmetric matrix w^ with w^ p = w x p.
 Matrix3 skew(const Vector3& w);
 
 /// A rigid motion: the pose T_a_b maps points of frame b to frame a, p_a = T_a_b * p_b.
@@ -27,11 +32,11 @@ class SE3 {
  public:
   /// The identity.
   SE3() = default;
-  /// `rotation` must be orthonormal with determinant +1; see from_matrix for one that is not quite.
+  /// `rotation` must be orthonormal with determinant +1; from_matrix() rounds one that is not.
   SE3(const Matrix3& rotation, const Vector3& translation)
       : rotation_(rotation), translation_(translation) {}
 
-  /// Unit quaternion in the order of TUM files; it is normalised here.
+  /// Takes a quaternion in the order of TUM files, and normalises it.
   static SE3 from_quaternion(double qx, double qy, double qz, double qw,
                              const Vector3& translation);
   /// Rounds the upper left 3x3 block to the nearest rotation (SVD).
@@ -40,17 +45,18 @@ class SE3 {
 
   [[nodiscard]] const Matrix3& rotation() const { return rotation_; }
   [[nodiscard]] const Vector3& translation() const { return translation_; }
-  /// (x, y, z, w) with w >= 0.
+  /// Returns the unit quaternion (x, y, z, w) with w >= 0.
   [[nodiscard]] Eigen::Vector4d quaternion() const;
   [[nodiscard]] Eigen::Matrix4d matrix() const;
-  /// The rotation angle in [0, pi] [rad].
+  /// Returns the rotation angle in [0, pi] [rad].
   [[nodiscard]] double angle() const;
 
   [[nodiscard]] SE3 inverse() const;
   [[nodiscard]] Vector6 log() const;
-  /// Ad with T exp(xi) T^-1 = exp(Ad xi).
+  /// Returns the matrix Ad with T exp(xi) T^-1 = exp(Ad xi).
   [[nodiscard]] Matrix6 adjoint() const;
-  /// The nearest proper rotation; removes what rounding accumulates over long products.
+  /// Returns the pose with its rotation made orthonormal again; removes what rounding accumulates
+  /// over long products.
   [[nodiscard]] SE3 normalized() const;
 
   SE3 operator*(const SE3& other) const {
@@ -63,18 +69,11 @@ class SE3 {
   Vector3 translation_ = Vector3::Zero();
 };
 
-/// exp and log of SO(3); |log| <= pi.
+/// The exponential and the logarithm of SO(3); |log| <= pi.
 Matrix3 so3_exp(const Vector3& w);
 Vector3 so3_log(const Matrix3& rotation);
 
-/// J_l with exp(xi + d) = exp(J_l(xi) d) exp(xi) to first order in d (and its inverse).
-Matrix6 left_jacobian(const Vector6& xi);
-Matrix6 left_jacobian_inverse(const Vector6& xi);
-/// J_r with exp(xi + d) = exp(xi) exp(J_r(xi) d) to first order in d (and its inverse).
-Matrix6 right_jacobian(const Vector6& xi);
-Matrix6 right_jacobian_inverse(const Vector6& xi);
-
-/// The point at `s` on the geodesic from a (s = 0) to b (s = 1): a exp(s log(a^-1 b)).
+/// Returns the pose at `s` on the geodesic from a (s = 0) to b (s = 1): a exp(s log(a^-1 b)).
 SE3 interpolate(const SE3& a, const SE3& b, double s);
 
 }  // namespace cvo_slam

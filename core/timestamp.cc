@@ -15,14 +15,15 @@ namespace {
 constexpr std::array<std::int64_t, Timestamp::kMaxDecimals + 1> kPowersOfTen = {
     1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000};
 constexpr std::int64_t kNanosecondsPerSecond = 1000000000;
-/// Until the year 2096. The difference of two stamps, shifted or not, then always fits 64 bits.
+/// Largest seconds that can be parsed (year 2096). The difference of two stamps, shifted or not,
+/// then always fits into 64 bits.
 constexpr std::int64_t kMaxSeconds = 4'000'000'000;
 
 bool is_digits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// The fraction of a second behind the point, in nanoseconds, rounded half up.
+/// Returns the fraction of a second behind the point in nanoseconds, rounded half up.
 std::int64_t parse_fraction(std::string_view digits) {
   std::int64_t value = 0;
   for (int i = 0; i < Timestamp::kMaxDecimals; ++i) {

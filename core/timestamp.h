@@ -10,20 +10,20 @@
 
 namespace cvo_slam {
 
-/// A point in time in integer nanoseconds, which remembers with how many decimals of a second it
-/// was written, so that a stamp read from a file is written back with the same digits.
-/// Comparison looks at the time alone.
+/// A point in time in integer nanoseconds. It keeps the number of decimals with which it was
+/// written, so that a stamp read from a file is written back with the same digits. Comparisons
+/// ignore the decimals.
 class Timestamp {
  public:
   static constexpr int kMaxDecimals = 9;
 
   constexpr Timestamp() = default;
-  /// `decimals` in [0, 9]: how many digits to_string() prints after the point.
+  /// `decimals` in [0, 9] is the number of digits that to_string() prints after the point.
   constexpr explicit Timestamp(std::int64_t nanoseconds, int decimals = 6)
       : nanoseconds_(nanoseconds), decimals_(decimals) {}
 
-  /// Seconds in decimal ("1305031229.528748") or scientific notation. Digits beyond the nanosecond
-  /// are rounded away. Empty where the text is not a number between -4e9 and 4e9 (year 2096).
+  /// Parses seconds in decimal ("1305031229.528748") or scientific notation, rounded to
+  /// nanoseconds. Returns nothing if the text is not a number between -4e9 and 4e9 (year 2096).
   static std::optional<Timestamp> parse(std::string_view text);
   static Timestamp from_seconds(double seconds, int decimals = 6);
 
@@ -45,7 +45,7 @@ class Timestamp {
   int decimals_ = 6;
 };
 
-/// a - b in seconds, exact to the nanosecond.
+/// Returns the time from b to a, a - b, in seconds, exact to the nanosecond.
 constexpr double seconds_between(const Timestamp& b, const Timestamp& a) {
   return static_cast<double>(a.nanoseconds() - b.nanoseconds()) * 1e-9;
 }

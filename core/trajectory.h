@@ -10,12 +10,13 @@
 
 namespace cvo_slam {
 
+/// The pose of a camera at a time.
 struct StampedPose {
   Timestamp stamp;
   SE3 T_world_camera;
 };
 
-/// A frame that has no pose, and why.
+/// A frame without a pose, and the reason.
 struct LostFrame {
   Timestamp stamp;
   std::string reason;
@@ -24,10 +25,10 @@ struct LostFrame {
 /// The path of a camera.
 struct Trajectory {
   std::vector<StampedPose> poses;  ///< in ascending order of stamps, none twice
-  std::vector<LostFrame> lost;     ///< in the order the frames came
+  std::vector<LostFrame> lost;     ///< in the order of the frames
 };
 
-/// Sum of the distances between consecutive positions [m].
+/// Returns the sum of the distances between consecutive positions [m].
 [[nodiscard]] inline double path_length(const std::vector<StampedPose>& poses) {
   double length = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {

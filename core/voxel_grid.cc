@@ -9,7 +9,7 @@
 namespace cvo_slam {
 namespace {
 
-/// 21 bits a coordinate make a key of 63.
+/// A key has 21 bits per coordinate, 63 in all.
 constexpr double kMostCells = 1 << 20;
 
 std::uint64_t key_of(const Vector3& cell) {
@@ -54,7 +54,7 @@ void VoxelGrid::grow() {
 }
 
 VoxelGrid::Sum& VoxelGrid::sum_at(std::uint64_t key) {
-  // Neighbouring pixels often fall into the voxel of the one before.
+  // Consecutive pixels often fall into the same voxel.
   if (!sums_.empty() && sums_[last_].key == key) return sums_[last_];
   std::size_t slot = slot_of(key);
   if (slots_[slot] == kFree) {
@@ -91,7 +91,7 @@ std::vector<MapPoint> VoxelGrid::points(int min_count) const {
     MapPoint point;
     point.position =
         (size_ * cell_of(sum.key) + (sum.position / sum.weight).cast<double>()).cast<float>();
-    // Both sides of a thin board cancel; then no side is to be preferred.
+    // The normals of the two sides of a thin board cancel; the point then has no normal.
     constexpr float kLeastAgreement = 0.2F;
     const float agreement = sum.normal.norm() / sum.weight;
     if (agreement > kLeastAgreement) point.normal = sum.normal.normalized();

@@ -10,22 +10,24 @@
 
 namespace cvo_slam {
 
-/// Weighted means of coloured points, one a voxel of the world.
+/// Weighted means of coloured points, one per voxel of the world.
 class VoxelGrid {
  public:
   explicit VoxelGrid(double voxel_size);
 
-  /// Points further than a million voxels from the origin are left out.
+  /// Adds a point; points farther than a million voxels from the origin are ignored.
   void add(const Vector3& position, const Eigen::Vector3f& normal,
            const std::array<std::uint8_t, 3>& color, float weight);
 
-  /// One point a voxel with at least so many, in the order in which the voxels were met.
+  /// Returns one point for each voxel with at least `min_count` points, in the order in which the
+  /// voxels were met.
   [[nodiscard]] std::vector<MapPoint> points(int min_count) const;
 
  private:
   struct Sum {
-    std::uint64_t key = 0;     // of the voxel
-    Eigen::Vector3f position;  // from the voxel's corner: keeps its digits far from the origin
+    std::uint64_t key = 0;  // identifies the voxel
+    Eigen::Vector3f
+        position;  // relative to the voxel's corner, which keeps digits far from the origin
     Eigen::Vector3f normal;
     Eigen::Vector3f color;
     float weight = 0;
@@ -38,9 +40,9 @@ class VoxelGrid {
 
   double size_;
   std::vector<Sum> sums_;
-  std::size_t last_ = 0;  // that was asked for
-  // Where in sums_ a key is: a hash table with open addressing, at most half full, because a
-  // std::unordered_map takes three quarters of the time of a whole fusion.
+  std::size_t last_ = 0;  // index in sums_ of the last voxel used
+  // Maps a key to its index in sums_: a hash table with open addressing, at most half full. A
+  // std::unordered_map would take three quarters of the time of a whole fusion.
   std::vector<std::uint32_t> slots_;
 };
 

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/core/brown_distortion.h"
+#include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/error.h"
 
 namespace cvo_slam {

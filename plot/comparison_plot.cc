@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "cvo_slam/core/units.h"
+#include "cvo_slam/core/se3.h"
 #include "cvo_slam/plot/trajectory_plot.h"
 
 namespace cvo_slam {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cvo_slam/core/pose_error.h"
 #include "cvo_slam/core/trajectory.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/core/stamp_gaps.h"
-#include "cvo_slam/core/units.h"
+#include "cvo_slam/core/association.h"
+#include "cvo_slam/core/se3.h"
 
 namespace cvo_slam {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "cvo_slam/core/stamp_gaps.h"
+#include "cvo_slam/core/association.h"
 #include "cvo_slam/render/cameras_internal.h"
 
 namespace cvo_slam::render {

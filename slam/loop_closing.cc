@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cvo_slam/core/information.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/ambiguity_internal.h"
 #include "cvo_slam/slam/loop_closing_internal.h"
 #include "cvo_slam/slam/proximity_internal.h"

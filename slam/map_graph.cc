@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/LU>
 
-#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/keyframes_internal.h"
 #include "cvo_slam/slam/map_graph_internal.h"
 

@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/mapper_internal.h"
 
 namespace cvo_slam {

@@ -7,7 +7,7 @@
 
 #include "cvo_slam/apps/page/html.h"
 #include "cvo_slam/apps/page/run_sections.h"
-#include "cvo_slam/core/statistics.h"
+#include "cvo_slam/core/trajectory_errors.h"
 
 namespace cvo_slam {
 namespace {

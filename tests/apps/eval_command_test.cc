@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cvo_slam/core/alignment.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/tum_trajectory.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/core/trajectory_samples.h"

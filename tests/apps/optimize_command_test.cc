@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cvo_slam/bench/graph_samples.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/temporary_folder.h"

@@ -5,8 +5,7 @@
 #include "cvo_slam/backend/between_factor_internal.h"
 #include "cvo_slam/backend/pose_manifold_internal.h"
 #include "cvo_slam/bench/graph_samples.h"
-#include "cvo_slam/core/information.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/backend/chordal_initialization.h"
-
 #include <gtest/gtest.h>
 
+#include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/bench/graph_samples.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {

@@ -8,7 +8,7 @@
 #include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/bench/graph_samples.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {

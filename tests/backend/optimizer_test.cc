@@ -10,7 +10,7 @@
 
 #include "cvo_slam/bench/graph_samples.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {

@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/backend/chordal_initialization.h"
 #include "cvo_slam/backend/optimizer.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/tests/test_data.h"
 
@@ -17,7 +16,7 @@ namespace {
 
 struct Published {
   std::string name;
-  double cost;  ///< optimum of half the sum of squares with the residual of core/pose_graph_cost.h
+  double cost;  ///< optimum of half the sum of squares with the residual of core/pose_graph.h
 };
 
 void PrintTo(const Published& graph, std::ostream* stream) { *stream << graph.name; }

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/pose_interpolation.h"
 #include "cvo_slam/tests/core/trajectory_samples.h"
 
 namespace cvo_slam {

@@ -85,12 +85,10 @@ TEST(OptionSet, NamesNoKeyThatIsNotNear) {
   EXPECT_EQ(error_of(describe(outer), "foo", "1"), "unknown option 'foo'; see --dump-config");
 }
 
-TEST(NearestName, DiffersInHalfOfTheLettersAtMost) {
-  EXPECT_EQ(nearest_name("rnu", {"eval", "run"}), "run");  // 2 of 3 letters, rounded up
-  EXPECT_EQ(nearest_name("rgdb", {"rgbd"}), "rgbd");       // 2 of 4
-  EXPECT_EQ(nearest_name("xgdb", {"rgbd"}), "");           // 3 of 4
-  EXPECT_EQ(nearest_name("run", {}), "");
-  EXPECT_EQ(suggestion("rnu", {"eval", "run"}), "did you mean 'run'?");
+TEST(Suggestion, NamesACandidateThatDiffersInHalfOfTheLettersAtMost) {
+  EXPECT_EQ(suggestion("rnu", {"eval", "run"}), "did you mean 'run'?");  // 2 of 3, rounded up
+  EXPECT_EQ(suggestion("rgdb", {"rgbd"}), "did you mean 'rgbd'?");       // 2 of 4
+  EXPECT_EQ(suggestion("xgdb", {"rgbd"}), "there are: rgbd");            // 3 of 4
   EXPECT_EQ(suggestion("synthesize", {"eval", "run"}), "there are: eval, run");
 }
 

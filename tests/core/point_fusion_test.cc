@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/core/point_fusion.h"
-
 #include <cmath>
 #include <limits>
 
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/map.h"
 
 namespace cvo_slam {
 namespace {

@@ -91,38 +91,6 @@ TEST(Se3, AdjointMovesAPerturbationAcross) {
   }
 }
 
-/// d log(f(xi)) / d xi at xi = 0 by central differences.
-template <typename F>
-Matrix6 numeric_jacobian(const F& f) {
-  constexpr double kStep = 1e-6;
-  Matrix6 J;
-  for (int k = 0; k < 6; ++k) {
-    const Vector6 d = kStep * Vector6::Unit(k);
-    J.col(k) = (f(d).log() - f(-d).log()) / (2 * kStep);
-  }
-  return J;
-}
-
-TEST(Se3, JacobiansMatchNumericDerivatives) {
-  for (const Vector6& xi : sample_tangents()) {
-    const SE3 T = SE3::exp(xi);
-    const Matrix6 left =
-        numeric_jacobian([&](const Vector6& d) -> SE3 { return SE3::exp(xi + d) * T.inverse(); });
-    const Matrix6 right =
-        numeric_jacobian([&](const Vector6& d) -> SE3 { return T.inverse() * SE3::exp(xi + d); });
-    EXPECT_LT((left_jacobian(xi) - left).norm(), 1e-8) << xi.transpose();
-    EXPECT_LT((right_jacobian(xi) - right).norm(), 1e-8) << xi.transpose();
-  }
-}
-
-TEST(Se3, InverseJacobiansInvert) {
-  for (const Vector6& xi : sample_tangents()) {
-    EXPECT_LT((left_jacobian(xi) * left_jacobian_inverse(xi) - Matrix6::Identity()).norm(), 1e-11);
-    EXPECT_LT((right_jacobian(xi) * right_jacobian_inverse(xi) - Matrix6::Identity()).norm(),
-              1e-11);
-  }
-}
-
 TEST(Se3, InterpolationFollowsTheGeodesic) {
   const SE3 a = SE3::exp((Vector6() << 1, 2, 3, 0.1, 0.2, 0.3).finished());
   const SE3 b = SE3::exp((Vector6() << 0, 2, 4, -0.3, 0.5, 1.0).finished());

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/core/statistics.h"
-
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "cvo_slam/core/trajectory_errors.h"
 
 namespace cvo_slam {
 namespace {

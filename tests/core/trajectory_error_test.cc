@@ -7,9 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/relative_pose_error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/tests/core/trajectory_samples.h"
 
 namespace cvo_slam {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/relative_pose_error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/tests/test_data.h"

@@ -9,8 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/absolute_trajectory_error.h"
-#include "cvo_slam/core/relative_pose_error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/tum_trajectory.h"
 #include "cvo_slam/tests/test_data.h"
 

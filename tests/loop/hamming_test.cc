@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/hamming.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/simd.h"
+#include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/tests/loop/descriptor_samples.h"
 
 namespace cvo_slam {

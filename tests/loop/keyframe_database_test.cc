@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/keyframe_database.h"
-
 #include <random>
 
 #include <gmock/gmock.h>
@@ -9,6 +7,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/loop/candidate_groups_internal.h"
+#include "cvo_slam/loop/loop_detector.h"
 
 namespace cvo_slam {
 namespace {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/builtin_vocabulary.h"
+#include "cvo_slam/loop/vocabulary.h"
 #include "cvo_slam/tests/loop/poster_frames.h"
 
 namespace cvo_slam {

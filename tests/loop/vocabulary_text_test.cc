@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/vocabulary_text.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/vocabulary_file.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 #include "cvo_slam/tests/loop/descriptor_samples.h"
 #include "cvo_slam/tests/temporary_folder.h"
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/vocabulary_training.h"
-
 #include <cmath>
 #include <set>
 
@@ -10,9 +8,10 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/loop/bit_counter_internal.h"
-#include "cvo_slam/loop/hamming.h"
+#include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/loop/k_majority_internal.h"
-#include "cvo_slam/loop/vocabulary_file.h"
+#include "cvo_slam/loop/vocabulary.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 #include "cvo_slam/tests/loop/descriptor_samples.h"
 
 namespace cvo_slam {

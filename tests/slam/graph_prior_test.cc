@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/information.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/graph_prior_internal.h"
 
 namespace cvo_slam {
