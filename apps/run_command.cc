@@ -24,7 +24,7 @@
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/tum_trajectory.h"
-#include "cvo_slam/loop/vocabulary_file.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 
 namespace cvo_slam {
 namespace {

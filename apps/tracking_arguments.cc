@@ -83,7 +83,7 @@ ProgramOptions OptionArguments::options() const {
   const OptionSet set = describe(result);
   if (!config.empty()) read_options(config, set);
   for (const auto& setting : settings) apply_setting(set, setting, "tracker.points=2000");
-  if (threads) result.tracker.threads = result.slam.optimizer.threads = *threads;
+  if (threads) result.tracker.threads = *threads;
   return result;
 }
 

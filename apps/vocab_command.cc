@@ -16,11 +16,9 @@
 #include "cvo_slam/apps/training_images.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/parallel.h"
-#include "cvo_slam/loop/builtin_vocabulary.h"
 #include "cvo_slam/loop/orb_features.h"
-#include "cvo_slam/loop/vocabulary_file.h"
-#include "cvo_slam/loop/vocabulary_text.h"
-#include "cvo_slam/loop/vocabulary_training.h"
+#include "cvo_slam/loop/vocabulary.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 
 namespace cvo_slam {
 namespace {

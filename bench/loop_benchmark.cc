@@ -9,10 +9,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "cvo_slam/loop/builtin_vocabulary.h"
-#include "cvo_slam/loop/hamming.h"
+#include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/loop/loop_detector.h"
-#include "cvo_slam/loop/vocabulary_file.h"
+#include "cvo_slam/loop/vocabulary.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 #include "cvo_slam/synthetic/sensor.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"

@@ -15,7 +15,6 @@
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
-#include "cvo_slam/backend/chordal_initialization.h"
 #include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/io/g2o.h"
@@ -25,7 +24,7 @@ namespace {
 
 constexpr const char* kGraphs[] = {"sphere2500", "parking-garage", "smallGrid3D"};
 
-/// The residual of core/pose_graph_cost.h for Ceres' automatic derivatives.
+/// The residual of core/pose_graph.h for Ceres' automatic derivatives.
 struct AutomaticEdge {
   Eigen::Vector3d p_ab;
   Eigen::Quaterniond q_ab;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cvo_slam/backend/optimizer_options.h"
+#include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/core/options.h"
-#include "cvo_slam/loop/loop_options.h"
+#include "cvo_slam/loop/loop_detector.h"
 
 namespace cvo_slam {
 

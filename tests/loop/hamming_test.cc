@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/hamming.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/simd.h"
+#include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/tests/loop/descriptor_samples.h"
 
 namespace cvo_slam {
 namespace {
 
-/// Bit by bit, as the definition says.
+/// Returns the distance by its definition, bit by bit.
 int counted_distance(const Descriptor& a, const Descriptor& b) {
   int distance = 0;
   for (std::size_t i = 0; i < Descriptor::kBits; ++i) distance += a.bit(i) != b.bit(i) ? 1 : 0;

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/vocabulary_file.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 #include "cvo_slam/tests/loop/descriptor_samples.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
@@ -17,7 +16,7 @@ using testing::HasSubstr;
 
 class VocabularyFile : public testing::Test {
  protected:
-  /// What reading these bytes complains about.
+  /// Returns the error message of reading these bytes.
   [[nodiscard]] std::string problem_of(const std::string& bytes) const {
     const auto file = folder_.write("words.voc", bytes);
     try {

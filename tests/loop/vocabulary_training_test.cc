@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/vocabulary_training.h"
-
 #include <cmath>
 #include <set>
 
@@ -9,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/bit_counter_internal.h"
-#include "cvo_slam/loop/hamming.h"
+#include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/loop/k_majority_internal.h"
-#include "cvo_slam/loop/vocabulary_file.h"
+#include "cvo_slam/loop/vocabulary.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 #include "cvo_slam/tests/loop/descriptor_samples.h"
 
 namespace cvo_slam {
@@ -84,8 +82,8 @@ TEST(VocabularyTraining, SameSeedGivesSameBytesOnAnyNumberOfThreads) {
 TEST(VocabularyTraining, FeaturesOfOneKindShareAWord) {
   const auto images = sample_images(20, 50);
   const Vocabulary vocabulary = train_vocabulary(images, {.branching = 4, .levels = 3});
-  // 64 words for 50 kinds; a greedy search may part some kinds. Unrelated features share a word by
-  // chance in one of 64 cases.
+  // 64 words for 50 kinds; a greedy search may divide some kinds. Unrelated features share a word
+  // by chance in one of 64 cases.
   DescriptorSource source(5);
   const auto centers = source.random(50);
   int shared = 0;

@@ -149,7 +149,7 @@ TEST_F(LoopsOfAWalk, AreTheSameAgainWithTwoThreadsAndPipelined) {
       EXPECT_EQ(a[i].reason, b[i].reason);
     }
   };
-  tracker_.threads = slam_.optimizer.threads = 2;
+  tracker_.threads = 2;
   expect_equal(run());
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());

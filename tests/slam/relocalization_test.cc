@@ -252,7 +252,7 @@ TEST_F(KidnappedCamera, GivesTheSameAgainWithTwoThreadsAndPipelined) {
       EXPECT_EQ(first.candidates[i].reason, other.candidates[i].reason);
     }
   };
-  tracker_.threads = slam_.optimizer.threads = 2;
+  tracker_.threads = 2;
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());
 }

@@ -141,7 +141,7 @@ TEST_F(SlamOnSyntheticFrames, SameResultAgainWithTwoThreadsAndPipelined) {
     EXPECT_EQ(first.loop_candidates().size(), other.loop_candidates().size());
   };
   expect_equal(run());
-  tracker_.threads = slam_.optimizer.threads = 2;
+  tracker_.threads = 2;
   expect_equal(run());
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());
