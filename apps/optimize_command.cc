@@ -154,8 +154,6 @@ void add_options(CLI::App& command, OptimizeArguments& arguments) {
           {{"suitesparse", LinearSolver::kSuiteSparse}, {"eigen", LinearSolver::kEigen}}));
   command.add_option("--max-iterations", options.max_iterations,
                      "Most iterations of a solve (default 100)");
-  command.add_option("--threads", options.threads,
-                     "Threads; the result does not depend on it (default 1)");
   command.add_flag("--json", arguments.json, "Print one JSON object instead of a table");
 }
 

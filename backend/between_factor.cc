@@ -1,24 +1,57 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 #include "cvo_slam/backend/between_factor_internal.h"
-#include "cvo_slam/backend/quaternion_internal.h"
 #include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {
 
 using Quaternion = Eigen::Quaterniond;
+using PoseJacobian = Eigen::Matrix<double, 6, 7, Eigen::RowMajor>;
 
-Vector3 position(const PoseVector& pose) { return pose.head<3>(); }
-Quaternion orientation(const PoseVector& pose) { return Quaternion(pose.data() + 3); }
+Vector3 position(const double* pose) { return Eigen::Map<const Vector3>(pose); }
+Quaternion orientation(const double* pose) { return Quaternion(pose + 3); }
+SE3 pose_at(const double* pose) { return to_pose(Eigen::Map<const PoseVector>(pose)); }
 
-/// q_ab q_est^-1 with w >= 0.
+/// Returns the matrix G with q (0, v) = G v, the product as (x, y, z, w). G^T G is the identity.
+Eigen::Matrix<double, 4, 3> right_product_columns(const Quaternion& q) {
+  Eigen::Matrix<double, 4, 3> G;
+  G << q.w(), -q.z(), q.y(),  //
+      q.z(), q.w(), -q.x(),   //
+      -q.y(), q.x(), q.w(),   //
+      -q.x(), -q.y(), -q.z();
+  return G;
+}
+
+/// Returns the quaternion of the rotation by |w| [rad] about w.
+Quaternion exp_quaternion(const Vector3& w) {
+  const double half = w.norm() / 2;
+  // Half of sin(half) / half; the series is exact to rounding where the quotient is not.
+  const double scale = half < 1e-4 ? 0.5 * (1 - half * half / 6) : 0.5 * std::sin(half) / half;
+  return {std::cos(half), scale * w.x(), scale * w.y(), scale * w.z()};
+}
+
+/// Returns q_ab q_est^-1 with w >= 0.
 Quaternion rotation_error(const Quaternion& q_a_b, const Quaternion& q_a, const Quaternion& q_b) {
   Quaternion e = q_a_b * q_b.conjugate() * q_a;
   if (e.w() < 0) e.coeffs() *= -1;
   return e;
+}
+
+/// Writes the derivative by the seven values of a pose, from those by its position and by a
+/// rotation on the right, if there is a place for it.
+void write_jacobian(const Eigen::Matrix<double, 6, 3>& by_position,
+                    const Eigen::Matrix<double, 6, 3>& by_rotation, const Quaternion& q,
+                    double* out) {
+  if (out == nullptr) return;
+  Eigen::Map<PoseJacobian> jacobian(out);
+  const Eigen::Matrix<double, 3, 4> rotation_by_values = 2 * right_product_columns(q).transpose();
+  jacobian.leftCols<3>() = by_position;
+  jacobian.rightCols<4>() = by_rotation * rotation_by_values;
 }
 
 }  // namespace
@@ -33,45 +66,74 @@ SE3 to_pose(const PoseVector& vector) {
   return SE3::from_quaternion(vector[3], vector[4], vector[5], vector[6], vector.head<3>());
 }
 
+bool PoseManifold::Plus(const double* x, const double* delta, double* x_plus_delta) const {
+  const SE3 step = SE3::exp(Eigen::Map<const Vector6>(delta));
+  const Eigen::Map<const Quaternion> q(x + 3);
+  Eigen::Map<Vector3> p_plus(x_plus_delta);
+  Eigen::Map<Quaternion> q_plus(x_plus_delta + 3);
+  p_plus = Eigen::Map<const Vector3>(x) + q * step.translation();
+  q_plus = (q * exp_quaternion(Eigen::Map<const Vector3>(delta + 3))).normalized();
+  return true;
+}
+
+bool PoseManifold::PlusJacobian(const double* x, double* jacobian) const {
+  Eigen::Map<Eigen::Matrix<double, 7, 6, Eigen::RowMajor>> J(jacobian);
+  const Eigen::Map<const Quaternion> q(x + 3);
+  J.setZero();
+  J.topLeftCorner<3, 3>() = q.toRotationMatrix();
+  J.bottomRightCorner<4, 3>() = 0.5 * right_product_columns(q);
+  return true;
+}
+
+bool PoseManifold::Minus(const double* y, const double* x, double* y_minus_x) const {
+  Eigen::Map<Vector6> xi(y_minus_x);
+  xi = (pose_at(x).inverse() * pose_at(y)).log();
+  return true;
+}
+
+bool PoseManifold::MinusJacobian(const double* x, double* jacobian) const {
+  Eigen::Map<PoseJacobian> J(jacobian);
+  const Eigen::Map<const Quaternion> q(x + 3);
+  J.setZero();
+  J.topLeftCorner<3, 3>() = q.toRotationMatrix().transpose();
+  J.bottomRightCorner<3, 4>() = 2 * right_product_columns(q).transpose();
+  return true;
+}
+
 BetweenFactor::BetweenFactor(const SE3& T_a_b, const Matrix6& information)
     : p_a_b_(T_a_b.translation()),
       q_a_b_(Quaternion(T_a_b.rotation())),
       square_root_(square_root_of_information(information)) {}
 
-Vector6 BetweenFactor::residual(const PoseVector& a, const PoseVector& b) const {
-  const Quaternion q_a = orientation(a);
+bool BetweenFactor::Evaluate(const double* const* poses, double* residual,
+                             double** jacobians) const {
+  const Quaternion q_a = orientation(poses[0]);
+  const Quaternion q_b = orientation(poses[1]);
+  const Vector3 p_world_a_b = position(poses[1]) - position(poses[0]);
+  const Quaternion e = rotation_error(q_a_b_, q_a, q_b);
+  Eigen::Map<Vector6> whitened(residual);
   Eigen::Matrix<double, 6, 1> r;
-  r << q_a.conjugate() * (position(b) - position(a)) - p_a_b_,
-      2 * rotation_error(q_a_b_, q_a, orientation(b)).vec();
-  return square_root_ * r;
-}
-
-void BetweenFactor::linearize(const PoseVector& a, const PoseVector& b, LinearizedEdge& out) const {
-  const Quaternion q_a = orientation(a);
-  const Quaternion q_b = orientation(b);
+  if (jacobians == nullptr) {
+    r << q_a.conjugate() * p_world_a_b - p_a_b_, 2 * e.vec();
+    whitened = square_root_ * r;
+    return true;
+  }
   const Matrix3 R_a_world = q_a.toRotationMatrix().transpose();
   const Matrix3 R_a_b = R_a_world * q_b.toRotationMatrix();
-  const Vector3 p_a_b = R_a_world * (position(b) - position(a));
-  const Quaternion e = rotation_error(q_a_b_, q_a, q_b);
-  Eigen::Matrix<double, 6, 1> r;
+  const Vector3 p_a_b = R_a_world * p_world_a_b;
   r << p_a_b - p_a_b_, 2 * e.vec();
-  out.residual = square_root_ * r;
+  whitened = square_root_ * r;
 
-  // e (1, w / 2) = e + (s w + u x w, ...) / 2 with e = (s, u): how a rotation w of frame a turns
-  // it.
+  // e (1, w / 2) = e + (s w + u x w, ...) / 2 with e = (s, u): how a rotation w of frame a changes
+  // e.
   const Matrix3 turn = e.w() * Matrix3::Identity() + skew(e.vec());
-  const Eigen::Matrix<double, 3, 4> w_a = 2 * right_product_columns(q_a).transpose();
-  const Eigen::Matrix<double, 3, 4> w_b = 2 * right_product_columns(q_b).transpose();
   const auto S_p = square_root_.leftCols<3>();
   const auto S_r = square_root_.rightCols<3>();
   const Eigen::Matrix<double, 6, 3> by_position = S_p * R_a_world;
   const Eigen::Matrix<double, 6, 3> by_turn = S_r * turn;
-  const Eigen::Matrix<double, 6, 3> by_rotation_a = S_p * skew(p_a_b) + by_turn;
-  const Eigen::Matrix<double, 6, 3> by_rotation_b = by_turn * -R_a_b;
-  out.jacobian_a.leftCols<3>() = -by_position;
-  out.jacobian_b.leftCols<3>() = by_position;
-  out.jacobian_a.rightCols<4>() = by_rotation_a * w_a;
-  out.jacobian_b.rightCols<4>() = by_rotation_b * w_b;
+  write_jacobian(-by_position, S_p * skew(p_a_b) + by_turn, q_a, jacobians[0]);
+  write_jacobian(by_position, by_turn * -R_a_b, q_b, jacobians[1]);
+  return true;
 }
 
 }  // namespace cvo_slam

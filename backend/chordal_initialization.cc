@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/backend/chordal_initialization.h"
-
 #include <Eigen/SparseCholesky>
+
+#include "cvo_slam/backend/optimizer.h"
 
 namespace cvo_slam {
 namespace {
@@ -12,7 +12,7 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /// The normal equations of the least-squares problem
 ///   sum over the edges of weight |M_e x_a - x_b + c_e|^2,
-/// where each x is a block of `Size` rows and three columns, and held blocks are known.
+/// where each x is a block of `Size` rows and three columns; held blocks are known.
 template <int Size>
 class BlockLeastSquares {
  public:
@@ -42,7 +42,7 @@ class BlockLeastSquares {
     if (row_b >= 0) rhs_.template middleRows<Size>(row_b) += weight * constant;
   }
 
-  /// The free blocks; false where they are not determined.
+  /// Computes the free blocks of `values`. Returns false if they are not determined.
   bool solve(std::vector<Value>& values) {
     for (std::size_t i = 0; i < diagonal_.size(); ++i) {
       add_lower(Size * static_cast<Eigen::Index>(i), Size * static_cast<Eigen::Index>(i),
@@ -61,7 +61,7 @@ class BlockLeastSquares {
   }
 
  private:
-  /// `block` couples the rows of b with the columns of a.
+  /// Adds a block that couples the rows of b with the columns of a.
   void add_off_diagonal(Eigen::Index row_a, Eigen::Index row_b, const Block& block) {
     if (row_b > row_a) {
       add_lower(row_b, row_a, block);
@@ -78,7 +78,7 @@ class BlockLeastSquares {
     }
   }
 
-  std::vector<Eigen::Index> row_;  // of a free block's first row; -1: held
+  std::vector<Eigen::Index> row_;  // first row of a free block; -1 if the block is held
   Eigen::Index free_ = 0;
   Columns rhs_;
   std::vector<Block> diagonal_;
@@ -89,7 +89,7 @@ double mean_weight(const Matrix6& information, Eigen::Index first) {
   return information.diagonal().segment<3>(first).mean();
 }
 
-/// R_b = R_a R_ab, transposed so that the unknowns stand in columns: |R_ab^T R_a^T - R_b^T|.
+/// Solves R_b = R_a R_ab, transposed so that the unknowns are in columns: |R_ab^T R_a^T - R_b^T|.
 bool relax_rotations(const PoseGraph& graph, const std::vector<bool>& held,
                      std::vector<Matrix3>& transposed) {
   BlockLeastSquares<3> problem(held);
@@ -102,7 +102,7 @@ bool relax_rotations(const PoseGraph& graph, const std::vector<bool>& held,
   return problem.solve(transposed);
 }
 
-/// p_b = p_a + R_a p_ab.
+/// Solves p_b = p_a + R_a p_ab.
 bool solve_positions(const PoseGraph& graph, const std::vector<bool>& held,
                      const std::vector<SE3>& rotated, std::vector<Eigen::RowVector3d>& positions) {
   BlockLeastSquares<1> problem(held);

@@ -2,30 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cvo_slam/backend/gnc_internal.h"
 #include "cvo_slam/backend/minimize_internal.h"
-#include "cvo_slam/backend/robust_cost_internal.h"
-#include "cvo_slam/backend/start_internal.h"
-#include "cvo_slam/backend/weighted_graph_internal.h"
+#include "cvo_slam/backend/robust_loss_internal.h"
 #include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 namespace {
 
-/// A factor of 1.05 and an error of 10^13 c^2 need fewer.
+/// Limit of the steps of mu. A factor of 1.05 and an error of 10^13 c^2 need fewer.
 constexpr int kMostSteps = 1000;
 
-/// While weights still change a solve need not be exact.
+/// Limits of a rough solve: while weights still change it need not be exact.
 constexpr int kStepIterations = 6;
 constexpr double kStepTolerance = 1e-3;
 
-/// Of the last solve, while edges still change sides.
+/// Limit of the solves at the end, while edges are still accepted or rejected anew.
 constexpr int kMostRefinements = 10;
 
 OptimizerOptions plain_least_squares(OptimizerOptions options) {
   options.loss = RobustLoss::kNone;
   return options;
+}
+
+/// Returns the graph with each edge's information times its weight; edges of weight 0 are left out.
+/// All nodes keep their indices.
+PoseGraph weighted_graph(const PoseGraph& graph, const std::vector<double>& weights) {
+  PoseGraph result;
+  for (const PoseGraphNode& node : graph.nodes()) result.add_node(node);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] <= 0) continue;
+    PoseGraphEdge edge = graph.edges()[i];
+    edge.information *= weights[i];
+    result.add_edge(edge);
+  }
+  return result;
 }
 
 void take_poses(PoseGraph& graph, const PoseGraph& from) {
@@ -34,9 +47,9 @@ void take_poses(PoseGraph& graph, const PoseGraph& from) {
   }
 }
 
-/// A few iterations on the weighted edges. They start anew at the chordal poses where those cost
-/// less: the relaxation has no local minima to be caught in. It alone would do on some graphs, but
-/// it is not exact enough to judge edges by where odometry is certain.
+/// Makes a few iterations on the weighted edges. They start again at the chordal poses if those
+/// cost less, because the relaxation has no local minima. The chordal poses alone are not exact
+/// enough to judge edges where odometry is certain.
 void fit_roughly(PoseGraph& graph, const OptimizerOptions& options,
                  const std::vector<double>& weights) {
   OptimizerOptions rough = plain_least_squares(options);
@@ -48,16 +61,15 @@ void fit_roughly(PoseGraph& graph, const OptimizerOptions& options,
   take_poses(graph, part);
 }
 
-void solve(PoseGraph& graph, const OptimizerOptions& options, Summary& summary) {
-  PoseGraph part = weighted_graph(graph, summary.weights);
+/// Solves the weighted graph; moves the poses.
+SearchReport solve(PoseGraph& graph, const OptimizerOptions& options, std::vector<double> weights) {
+  PoseGraph part = weighted_graph(graph, weights);
   const OptimizerOptions plain = plain_least_squares(options);
-  summary.started_chordal = choose_start(part, plain) || summary.started_chordal;
+  const bool started_chordal = choose_start(part, plain);
   const MinimizeReport report = minimize(part, plain);
   take_poses(graph, part);
-  ++summary.solves;
-  summary.iterations += report.iterations;
-  summary.converged = report.converged;
-  summary.reason = report.reason;
+  return {report.iterations, 1, report.converged, report.reason, started_chordal,
+          std::move(weights)};
 }
 
 std::vector<double> robust_squared_errors(const PoseGraph& graph) {
@@ -72,7 +84,8 @@ bool is_decided(const std::vector<double>& weights) {
   return std::all_of(weights.begin(), weights.end(), [](double w) { return w <= 0 || w >= 1; });
 }
 
-/// The weights, 0 or 1 each but for those on the border when the steps run out; moves the poses.
+/// Returns the weights, each 0 or 1 except for edges that are undecided when the steps run out;
+/// moves the poses.
 std::vector<double> graduated_weights(PoseGraph& graph, const OptimizerOptions& options) {
   const double c2 = options.loss_scale * options.loss_scale;
   std::vector<double> weights(graph.edges().size(), 1.0);
@@ -100,20 +113,24 @@ double gnc_weight(double s, double c2, double mu) {
   return std::clamp(std::sqrt(c2 * mu * (mu + 1) / s) - mu, 0.0, 1.0);
 }
 
-void graduate(PoseGraph& graph, const OptimizerOptions& options, Summary& summary) {
+SearchReport graduate(PoseGraph& graph, const OptimizerOptions& options) {
   PoseGraph trial = graph;
-  summary.weights = graduated_weights(trial, options);
+  std::vector<double> first_weights = graduated_weights(trial, options);
   if (options.initialization == Initialization::kGiven) take_poses(graph, trial);
-  solve(graph, options, summary);
-  // The rough poses may have put an edge near the border on the wrong side.
+  SearchReport total = solve(graph, options, std::move(first_weights));
+  // The rough poses may have put an edge near the limit on the wrong side.
   OptimizerOptions again = options;
   again.initialization = Initialization::kGiven;
   for (int i = 0; i < kMostRefinements; ++i) {
     std::vector<double> weights = robust_weights(graph, options);
-    if (weights == summary.weights) break;
-    summary.weights = std::move(weights);
-    solve(graph, again, summary);
+    if (weights == total.weights) break;
+    SearchReport last = solve(graph, again, std::move(weights));
+    last.iterations += total.iterations;
+    last.solves += total.solves;
+    last.started_chordal = total.started_chordal;
+    total = std::move(last);
   }
+  return total;
 }
 
 }  // namespace cvo_slam

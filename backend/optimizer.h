@@ -3,34 +3,91 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "cvo_slam/backend/optimizer_options.h"
+#include "cvo_slam/core/options.h"
 #include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 
-/// How an optimisation went. Costs are half the sum of the edges' squared errors, robust edges'
-/// under the loss (RobustLoss): what is minimised, in Ceres' convention (pose_graph_cost.h).
+/// The cost of a robust edge (PoseGraphEdge::robust) as a function of its squared error
+/// s = r^T information r, with c = OptimizerOptions::loss_scale.
+enum class RobustLoss {
+  kNone,    ///< s, as for every other edge
+  kHuber,   ///< s up to c^2, then 2 c sqrt(s) - c^2
+  kCauchy,  ///< c^2 log(1 + s / c^2)
+  /// min(s, c^2), reached by graduated non-convexity: an edge is accepted or rejected. H. Yang et
+  /// al., "Graduated Non-Convexity for Robust Spatial Perception", RA-L 2020.
+  kGnc,
+};
+
+enum class LinearSolver {
+  kSuiteSparse,  ///< CHOLMOD, supernodal where that is faster; calls BLAS
+  kEigen,        ///< Eigen's simplicial LDLT; calls no BLAS, so that its version cannot matter
+};
+
+/// The poses at which the search starts.
+enum class Initialization {
+  kAuto,     ///< the poses of the graph or the chordal ones, whichever cost less
+  kGiven,    ///< the poses of the graph
+  kChordal,  ///< the poses of chordal_initialization()
+};
+
+struct OptimizerOptions {
+  /// Loss of the edges that may be outliers (PoseGraphEdge::robust). kNone is right if every edge
+  /// was verified, as the mapper does. Take kGnc for a graph with unverified loops: it takes many
+  /// solves and finds the outliers even among 40 % of them. kHuber and kCauchy only weaken them.
+  RobustLoss loss = RobustLoss::kNone;
+  /// c, the error above which the loss takes effect [standard deviations], 1e-3 to 1e6. The default
+  /// is the square root of chi-square's 99 % quantile with six degrees of freedom, 16.8. Raise it
+  /// if the information matrices are too confident.
+  double loss_scale = 4.1;
+  double gnc_factor = 1.4;
+  Initialization initialization = Initialization::kAuto;
+  LinearSolver solver = LinearSolver::kSuiteSparse;
+  /// Most iterations of one solve, 1 to 100000. A graph that needs more than twenty is
+  /// ill-conditioned; lower it to bound the time of a solve.
+  int max_iterations = 100;
+  double cost_tolerance = 1e-7;
+  /// Incremental use: nodes farther than this many edges from the newest node are held, unless a
+  /// full solve is asked for [edges], 1 to 1000000. Larger windows spread corrections farther and
+  /// take more time per keyframe.
+  int window = 20;
+};
+
+[[nodiscard]] OptionSet describe(OptimizerOptions& options);
+
+/// The result of an optimisation. Costs are half the sum of the edges' squared errors, with the
+/// loss applied to robust edges: what is minimised, in Ceres' convention (graph_cost()).
 struct Summary {
   double initial_cost = 0;  ///< at the poses that were given
   double final_cost = 0;
-  int iterations = 0;  ///< of Ceres, over all solves but the rough ones of RobustLoss::kGnc
-  int solves = 0;      ///< more than one where RobustLoss::kGnc changed its mind at the end
+  int iterations = 0;  ///< of Ceres, over all solves except the rough ones of RobustLoss::kGnc
+  int solves = 0;      ///< more than one if RobustLoss::kGnc changed a decision at the end
   bool converged = false;
-  std::string reason;            ///< why it ended, in words
-  bool started_chordal = false;  ///< at the chordal poses and not at the given ones
-  std::vector<double> weights;   ///< of each edge, in [0, 1]; below 0.5: taken for wrong
+  std::string reason;            ///< why the search ended, in words
+  bool started_chordal = false;  ///< true if the search started at the chordal poses
+  std::vector<double> weights;   ///< of each edge, in [0, 1]; below 0.5 the edge is rejected
   double seconds = 0;            ///< wall time
 
+  /// Returns the number of edges with a weight below 0.5.
   [[nodiscard]] std::size_t rejected_edges() const;
 };
 
-/// Moves the nodes of the graph to the least-squares optimum; held ones (PoseGraph::held_nodes)
-/// stay. The result has the same bytes whatever the number of threads. Throws OptionError where an
-/// option is out of range. A graph in which nothing can be moved is left as it is, and has
-/// converged.
+/// Moves the nodes of the graph to the least-squares optimum; held nodes (PoseGraph::held_nodes())
+/// stay. A graph in which nothing can be moved is left unchanged, and has converged. Throws
+/// OptionError if an option is out of range.
 Summary optimize(PoseGraph& graph, const OptimizerOptions& options = {});
+
+/// Returns poses near the optimum from the measurements alone: L. Carlone et al., "Initialization
+/// Techniques for 3D SLAM", ICRA 2015, Sec. III-B. The rotations are solved first as if any 3x3
+/// matrix were a rotation, which is sparse linear least squares, and are rounded to the nearest
+/// rotations; the positions follow from another linear problem. Only the mean weights of the
+/// translation and of the rotation of an edge's information are used. Held nodes keep their poses;
+/// the poses of all other nodes do not matter. Returns nothing if the weights of the edges are too
+/// small to determine a node.
+[[nodiscard]] std::optional<std::vector<SE3>> chordal_initialization(const PoseGraph& graph);
 
 }  // namespace cvo_slam

@@ -2,36 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/backend/pose_graph_optimizer.h"
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace cvo_slam {
 namespace {
 
-/// The edges that a free node has, with their ends, of which those that are not free are fixed.
+/// The edges of the free nodes, with their ends, of which those that are not free are fixed.
 struct Window {
   PoseGraph graph;
   std::vector<std::size_t> nodes;  // their indices in the whole graph
-  std::vector<std::size_t> edges;
+  std::vector<std::size_t> edges;  // their indices in the whole graph, ascending
 };
 
-Window make_window(const PoseGraph& graph, const std::vector<bool>& is_free) {
+Window make_window(const PoseGraph& graph, const std::unordered_set<std::size_t>& free_nodes) {
   Window window;
-  std::vector<bool> taken(graph.nodes().size());
-  const auto take = [&](std::size_t i) {
-    if (taken[i]) return;
-    taken[i] = true;
-    PoseGraphNode node = graph.nodes()[i];
-    node.fixed = !is_free[i];
-    window.graph.add_node(node);
-    window.nodes.push_back(i);
-  };
-  for (std::size_t i = 0; i < graph.edges().size(); ++i) {
-    const auto [a, b] = graph.ends()[i];
-    if (!is_free[a] && !is_free[b]) continue;
-    take(a);
-    take(b);
-    window.graph.add_edge(graph.edges()[i]);
-    window.edges.push_back(i);
+  for (const std::size_t node : free_nodes) {
+    const std::vector<std::size_t>& edges = graph.edges_of(node);
+    window.edges.insert(window.edges.end(), edges.begin(), edges.end());
+  }
+  std::sort(window.edges.begin(), window.edges.end());
+  window.edges.erase(std::unique(window.edges.begin(), window.edges.end()), window.edges.end());
+  for (const std::size_t edge : window.edges) {
+    const auto [from, to] = graph.ends()[edge];
+    for (const std::size_t end : {from, to}) {
+      PoseGraphNode node = graph.nodes()[end];
+      if (window.graph.has_node(node.id)) continue;
+      node.fixed = !free_nodes.contains(end);
+      window.graph.add_node(node);
+      window.nodes.push_back(end);
+    }
+    window.graph.add_edge(graph.edges()[edge]);
   }
   return window;
 }
@@ -41,8 +43,6 @@ Window make_window(const PoseGraph& graph, const std::vector<bool>& is_free) {
 PoseGraphOptimizer::PoseGraphOptimizer(const OptimizerOptions& options) : options_(options) {
   describe(options_).check();
 }
-
-void PoseGraphOptimizer::add_node(const PoseGraphNode& node) { graph_.add_node(node); }
 
 void PoseGraphOptimizer::add_edge(const PoseGraphEdge& edge) {
   graph_.add_edge(edge);
@@ -55,46 +55,43 @@ void PoseGraphOptimizer::remove_edge(std::size_t index) {
 }
 
 Summary PoseGraphOptimizer::optimize(OptimizationScope scope) {
-  moved_.clear();
   if (scope == OptimizationScope::kWindow) return optimize_window();
+  Summary summary = cvo_slam::optimize(graph_, options_);
   moved_.resize(graph_.nodes().size());
   std::iota(moved_.begin(), moved_.end(), std::size_t{0});
-  Summary summary = cvo_slam::optimize(graph_, options_);
   weights_ = summary.weights;
   return summary;
 }
 
-std::vector<bool> PoseGraphOptimizer::nodes_near_newest() const {
-  std::vector<bool> near(graph_.nodes().size());
-  if (near.empty()) return near;
-  std::vector<std::size_t> ring = {near.size() - 1};
-  near.back() = true;
+std::unordered_set<std::size_t> PoseGraphOptimizer::free_nodes_near_newest() const {
+  if (graph_.nodes().empty()) return {};
+  std::vector<std::size_t> ring = {graph_.nodes().size() - 1};
+  std::unordered_set<std::size_t> near(ring.begin(), ring.end());
   for (int distance = 0; distance < options_.window && !ring.empty(); ++distance) {
     std::vector<std::size_t> next;
     for (const std::size_t node : ring) {
       for (const std::size_t edge : graph_.edges_of(node)) {
+        if (weights_[edge] < 0.5) continue;  // a rejected edge leads nowhere
         const auto [a, b] = graph_.ends()[edge];
         const std::size_t other = a == node ? b : a;
-        if (near[other] || weights_[edge] < 0.5) continue;  // a rejected edge leads nowhere
-        near[other] = true;
-        next.push_back(other);
+        if (near.insert(other).second) next.push_back(other);
       }
     }
     ring = std::move(next);
   }
+  std::erase_if(near, [&](std::size_t node) { return graph_.is_held(node); });
   return near;
 }
 
 Summary PoseGraphOptimizer::optimize_window() {
-  std::vector<bool> is_free = nodes_near_newest();
-  const std::vector<bool> held = graph_.held_nodes();
-  for (std::size_t i = 0; i < held.size(); ++i) is_free[i] = is_free[i] && !held[i];
-  Window window = make_window(graph_, is_free);
+  const std::unordered_set<std::size_t> free_nodes = free_nodes_near_newest();
+  Window window = make_window(graph_, free_nodes);
   OptimizerOptions options = options_;
   options.initialization = Initialization::kGiven;
   Summary summary = cvo_slam::optimize(window.graph, options);
+  moved_.clear();
   for (std::size_t i = 0; i < window.nodes.size(); ++i) {
-    if (!is_free[window.nodes[i]]) continue;
+    if (!free_nodes.contains(window.nodes[i])) continue;
     graph_.set_pose(window.nodes[i], window.graph.nodes()[i].T_world_node);
     moved_.push_back(window.nodes[i]);
   }

@@ -3,55 +3,55 @@
 #pragma once
 
 #include <cstddef>
+#include <unordered_set>
 #include <vector>
 
 #include "cvo_slam/backend/optimizer.h"
-#include "cvo_slam/backend/optimizer_options.h"
 #include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 
+/// The nodes that an optimisation may move.
 enum class OptimizationScope {
   kWindow,  ///< nodes at most OptimizerOptions::window edges from the newest; all others are held
   kFull,    ///< every node
 };
 
-/// A pose graph that grows and is optimised again and again, each time from where the last
-/// optimisation left the poses.
+/// A pose graph that grows and is optimised repeatedly, each time from the poses of the last
+/// optimisation. Adding nodes and edges does not take longer in a larger graph.
 class PoseGraphOptimizer {
  public:
-  /// Throws OptionError where an option is out of range.
+  /// Throws OptionError if an option is out of range.
   explicit PoseGraphOptimizer(const OptimizerOptions& options = {});
 
-  /// As PoseGraph's.
-  void add_node(const PoseGraphNode& node);
+  /// The following change the graph as the functions of PoseGraph with the same names do.
+  void add_node(const PoseGraphNode& node) { graph_.add_node(node); }
   void add_edge(const PoseGraphEdge& edge);
   void remove_edge(std::size_t index);
   void set_pose(std::size_t index, const SE3& T_world_node) {
     graph_.set_pose(index, T_world_node);
   }
 
-  /// A window's time depends on the window's size, not on the graph's (apart from a few passes over
-  /// the lists of nodes and edges); it starts at the given poses, whatever the option says. The
-  /// newest node is the one added last. Of a window, the summary's costs and iterations are those
-  /// of the edges that a free node has; its weights are those of all edges of the graph.
+  /// Optimises the graph. The newest node is the one added last. The time of a window depends on
+  /// the size of the window, not of the graph (apart from copying the list of weights); its search
+  /// starts at the present poses, whatever the option says. The costs and iterations of a window's
+  /// summary are those of the edges of free nodes; the weights are those of all edges of the graph.
   Summary optimize(OptimizationScope scope = OptimizationScope::kWindow);
 
   [[nodiscard]] const PoseGraph& graph() const { return graph_; }
-  /// Of each edge, from the last optimisation that it took part in (Summary::weights); 1 before.
+  /// Weight of each edge in the last optimisation that included it (Summary::weights); 1 before.
   [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
-
-  /// Indices of the nodes whose poses the last optimisation may have changed.
+  /// Indices in nodes() of the nodes whose poses the last optimisation may have changed.
   [[nodiscard]] const std::vector<std::size_t>& moved() const { return moved_; }
 
  private:
-  [[nodiscard]] std::vector<bool> nodes_near_newest() const;
+  [[nodiscard]] std::unordered_set<std::size_t> free_nodes_near_newest() const;
   Summary optimize_window();
 
   OptimizerOptions options_;
   PoseGraph graph_;
-  std::vector<std::size_t> moved_;
   std::vector<double> weights_;
+  std::vector<std::size_t> moved_;
 };
 
 }  // namespace cvo_slam

@@ -68,7 +68,7 @@ struct SensorNoise {
 
   /// Returns the standard deviation of a depth z [m].
   [[nodiscard]] double sigma_z(double z) const {
-    return std::max(depth_floor, depth_quadratic * z * z);
+    return std::max(depth_floor, depth_quadratic * (z * z));
   }
 };
 

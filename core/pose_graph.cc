@@ -98,14 +98,13 @@ std::size_t PoseGraph::find_root(std::size_t node) {
   return node;
 }
 
-bool PoseGraph::has_edge(NodeId a, NodeId b) const {
-  const std::size_t node_a = index_of(a);
-  const std::size_t node_b = index_of(b);
-  const bool a_has_fewer = edges_of_node_[node_a].size() < edges_of_node_[node_b].size();
-  const std::vector<std::size_t>& edges = edges_of_node_[a_has_fewer ? node_a : node_b];
-  return std::any_of(edges.begin(), edges.end(), [&](std::size_t edge) {
-    return std::minmax(ends_[edge].first, ends_[edge].second) == std::minmax(node_a, node_b);
-  });
+bool PoseGraph::has_edge(NodeId from, NodeId to) const {
+  const std::pair ends(index_of(from), index_of(to));
+  const auto& [a, b] = ends;
+  const bool a_has_fewer = edges_of_node_[a].size() < edges_of_node_[b].size();
+  const std::vector<std::size_t>& edges = edges_of_node_[a_has_fewer ? a : b];
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](std::size_t edge) { return ends_[edge] == ends; });
 }
 
 std::size_t PoseGraph::index_of(NodeId id) const {

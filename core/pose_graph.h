@@ -66,9 +66,9 @@ class PoseGraph {
   }
 
   [[nodiscard]] bool has_node(NodeId id) const { return index_.contains(id); }
-  /// Returns true if an edge joins the two nodes, in either direction. Takes time in proportion to
-  /// the edges of one of them. Throws DataError if a node is unknown.
-  [[nodiscard]] bool has_edge(NodeId a, NodeId b) const;
+  /// Returns true if an edge leads from one node to the other. Takes time in proportion to the
+  /// edges of one of them. Throws DataError if a node is unknown.
+  [[nodiscard]] bool has_edge(NodeId from, NodeId to) const;
   /// Returns the node's index in nodes(). Throws DataError if there is no such node.
   [[nodiscard]] std::size_t index_of(NodeId id) const;
   /// Replaces the pose of the node at an index of nodes().

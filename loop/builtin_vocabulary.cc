@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/builtin_vocabulary.h"
-
+#include <memory>
 #include <span>
 
-#include "cvo_slam/loop/vocabulary_file.h"
+#include "cvo_slam/loop/vocabulary.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 
-// The assembler copies the file's bytes into the read-only data: 2 MB as a C++ array take a
-// compiler a minute and a gigabyte. GNU's and LLVM's assemblers know .incbin.
+// The assembler copies the file's bytes into the read-only data: a C++ array of 2 MB costs a
+// compiler a minute and a gigabyte. GNU's and LLVM's assemblers have .incbin.
 // NOLINTNEXTLINE(hicpp-no-assembler)
 asm(".pushsection .rodata\n"
     ".balign 8\n"

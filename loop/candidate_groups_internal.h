@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "cvo_slam/loop/keyframe_database.h"
+#include "cvo_slam/loop/loop_detector.h"
 
 namespace cvo_slam {
 
-/// Keyframes that follow one another and look alike: one place.
+/// Consecutive keyframes that match an image: one place.
 struct CandidateGroup {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -17,8 +17,8 @@ struct CandidateGroup {
   double total_score = 0;
 };
 
-/// Of matches in ascending order of keyframes: those at most `gap` apart make a group. The groups
-/// with the highest total score come first, the earlier of equal ones.
+/// Groups matches, which are in ascending order of keyframes; those at most `gap` apart make a
+/// group. The groups with the highest total score come first, the earlier of equal ones.
 [[nodiscard]] std::vector<CandidateGroup> group_candidates(
     const std::vector<KeyframeMatch>& matches, std::size_t gap);
 

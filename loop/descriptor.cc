@@ -8,7 +8,7 @@
 
 namespace cvo_slam {
 
-// Written so that compilers for little-endian machines make plain copies of both.
+// Compilers for little-endian machines turn both conversions into plain copies.
 Descriptor from_bytes(std::span<const std::uint8_t, Descriptor::kBytes> bytes) {
   Descriptor descriptor;
   for (std::size_t i = 0; i < Descriptor::kBytes; ++i) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,13 +25,38 @@ struct Descriptor {
   bool operator==(const Descriptor&) const = default;
 };
 
-/// Byte i holds bits 8 i to 8 i + 7, as in OpenCV's rows and in vocabulary files.
+/// The bytes of a descriptor. Byte i holds bits 8 i to 8 i + 7, as in OpenCV's rows and in
+/// vocabulary files.
 using DescriptorBytes = std::array<std::uint8_t, Descriptor::kBytes>;
 [[nodiscard]] Descriptor from_bytes(std::span<const std::uint8_t, Descriptor::kBytes> bytes);
 [[nodiscard]] DescriptorBytes to_bytes(const Descriptor& descriptor);
 
-/// One descriptor a row of OpenCV's matrix; none of an empty one. Throws DataError where it is not
-/// CV_8UC1 with 32 columns.
+/// Returns one descriptor for each row of OpenCV's matrix, none for an empty matrix. Throws
+/// DataError if the matrix is not CV_8UC1 with 32 columns.
 [[nodiscard]] std::vector<Descriptor> to_descriptors(const cv::Mat& rows);
+
+/// Returns the number of bits in which two descriptors differ.
+[[nodiscard]] inline int hamming_distance(const Descriptor& a, const Descriptor& b) {
+  int distance = 0;
+  for (std::size_t i = 0; i < a.words.size(); ++i) {
+    distance += std::popcount(a.words[i] ^ b.words[i]);
+  }
+  return distance;
+}
+
+/// Computes the distance to each of the candidates, with SIMD code that is chosen at run time
+/// (Google Highway). The results are integers and the same on every instruction set. `distances`
+/// has as many places as there are candidates.
+void hamming_distances(const Descriptor& query, std::span<const Descriptor> candidates,
+                       std::span<std::uint16_t> distances);
+
+struct NearestDescriptor {
+  std::size_t index = 0;                                   ///< the first of equally near candidates
+  int distance = static_cast<int>(Descriptor::kBits) + 1;  ///< larger than possible: no candidates
+};
+
+/// Returns the candidate with the smallest distance.
+[[nodiscard]] NearestDescriptor nearest_descriptor(const Descriptor& query,
+                                                   std::span<const Descriptor> candidates);
 
 }  // namespace cvo_slam

@@ -12,12 +12,12 @@
 namespace cvo_slam {
 namespace {
 
-/// A total order, so that no algorithm's freedom can change the result.
+/// A total order, so that the result does not depend on the sorting algorithm.
 bool is_stronger(const cv::KeyPoint& a, const cv::KeyPoint& b) {
   return std::tuple(-a.response, a.pt.y, a.pt.x) < std::tuple(-b.response, b.pt.y, b.pt.x);
 }
 
-/// Cells of an image that are about square.
+/// A grid of nearly square cells over an image.
 class Grid {
  public:
   Grid(const cv::Size& image, std::size_t cells) : image_(image) {
@@ -47,12 +47,12 @@ class Grid {
   int rows_ = 1;
 };
 
-/// Of one level.
+/// Selects among the keypoints of one level.
 std::vector<cv::KeyPoint> select_in_turn(std::vector<cv::KeyPoint> keypoints, const Grid& grid,
                                          std::size_t wanted) {
   std::sort(keypoints.begin(), keypoints.end(), is_stronger);
   if (keypoints.size() <= wanted) return keypoints;
-  // The round in which each is taken is its rank in its cell.
+  // A keypoint is taken in the round that equals its rank in its cell.
   std::vector<int> taken(grid.cells());
   std::vector<std::pair<int, cv::KeyPoint>> ranked;
   ranked.reserve(keypoints.size());
@@ -66,7 +66,7 @@ std::vector<cv::KeyPoint> select_in_turn(std::vector<cv::KeyPoint> keypoints, co
   return keypoints;
 }
 
-/// Shares of the levels that sum to 1.
+/// Returns the shares of the levels, which sum to 1.
 std::vector<double> level_shares(const OrbOptions& options) {
   std::vector<double> shares;
   double total = 0;

@@ -10,15 +10,15 @@
 
 namespace cvo_slam {
 
-/// At most `wanted` of the keypoints. Each level of the pyramid has a share that falls as 1 /
-/// scale, and what a coarser one cannot fill goes to the next finer. Within a level each cell of a
-/// grid gives its strongest, then each its second, and so on; of the last round the strongest are
-/// taken. There are OrbOptions::per_cell times fewer cells than features of the level.
+/// Returns at most `wanted` of the keypoints. The share of a pyramid level falls as 1 / scale; what
+/// a coarser level cannot fill goes to the next finer one. Within a level each cell of a grid gives
+/// its strongest keypoint, then each its second, and so on; from the last round the strongest are
+/// taken. A level has OrbOptions::per_cell times fewer cells than features.
 [[nodiscard]] std::vector<cv::KeyPoint> select_evenly(const std::vector<cv::KeyPoint>& keypoints,
                                                       const cv::Size& image,
                                                       const OrbOptions& options, int wanted);
 
-/// The keypoints in cells that have none of `others`, of a grid for all features of an image.
+/// Returns the keypoints in those cells of an image that have none of `others`.
 [[nodiscard]] std::vector<cv::KeyPoint> in_empty_cells(const std::vector<cv::KeyPoint>& keypoints,
                                                        const std::vector<cv::KeyPoint>& others,
                                                        const cv::Size& image,

@@ -7,14 +7,14 @@
 #include <numeric>
 #include <span>
 
+#include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/loop/feature_matching_internal.h"
-#include "cvo_slam/loop/hamming.h"
 #include "cvo_slam/loop/ray_bounds_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-/// The descriptors of the features of one node.
+/// Returns the descriptors of the features of one node.
 std::vector<Descriptor> descriptors_of(const OrbFeatures& features,
                                        std::span<const NodeFeature> members) {
   std::vector<Descriptor> descriptors;
@@ -25,7 +25,7 @@ std::vector<Descriptor> descriptors_of(const OrbFeatures& features,
   return descriptors;
 }
 
-/// The nearest and the second nearest of each row or column of a table of distances.
+/// The nearest and the second nearest entry of a row or column of a table of distances.
 struct TwoNearest {
   int first = std::numeric_limits<int>::max();
   int second = std::numeric_limits<int>::max();
@@ -68,7 +68,7 @@ void match_node(const OrbFeatures& a, std::span<const NodeFeature> a_members, co
   }
 }
 
-/// The run of features of the node at the head of `members`.
+/// Returns the features at the head of `members` that belong to the same node.
 std::span<const NodeFeature> first_node(std::span<const NodeFeature> members) {
   const auto end = std::find_if(members.begin(), members.end(), [&](const NodeFeature& member) {
     return member.node != members.front().node;
@@ -76,14 +76,14 @@ std::span<const NodeFeature> first_node(std::span<const NodeFeature> members) {
   return {members.begin(), end};
 }
 
-/// In [0, 2 pi).
+/// Returns the rotation between the features of a match, in [0, 2 pi).
 double turn_of(const OrbFeatures& a, const OrbFeatures& b, const FeatureMatch& match) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double turn = b.points[match.b].angle - a.points[match.a].angle;
   return turn < 0 ? turn + kTurn : turn;
 }
 
-/// Indices of the features in ascending order of rows.
+/// Returns the indices of the features in ascending order of rows.
 std::vector<std::uint32_t> sorted_by_rows(const OrbFeatures& features) {
   std::vector<std::uint32_t> order(features.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -93,13 +93,13 @@ std::vector<std::uint32_t> sorted_by_rows(const OrbFeatures& features) {
   return order;
 }
 
-/// The most similar features of an image about a place.
+/// Finds the most similar features of an image near a position.
 class RadiusSearch {
  public:
   RadiusSearch(const OrbFeatures& features, const PinholeCamera& camera)
       : features_(features), camera_(camera), order_(sorted_by_rows(features)) {}
 
-  /// About a ray; `radius` [px]. Empty where none is there.
+  /// Searches around a ray, within `radius` [px]. The result has no index if no feature is there.
   [[nodiscard]] TwoNearest find(const Descriptor& descriptor, const Eigen::Vector2d& ray,
                                 double radius) const {
     const double reach = radius / std::abs(camera_.fy);
@@ -175,7 +175,7 @@ ProjectionMatches match_by_projection(const OrbFeatures& a, const OrbFeatures& b
   ProjectionMatches result;
   const RadiusSearch search(b, camera);
   const RayBounds bounds(camera);
-  // Each feature of b goes to the one of a that looks most like it.
+  // Each feature of b is matched with the most similar feature of a.
   std::vector<TwoNearest> takers(b.size());
   for (std::uint32_t i = 0; i < a.size(); ++i) {
     if (!a.points[i].has_depth()) continue;

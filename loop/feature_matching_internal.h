@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/loop/bag_of_words.h"
-#include "cvo_slam/loop/loop_options.h"
+#include "cvo_slam/loop/loop_verifier.h"
 #include "cvo_slam/loop/orb_features.h"
+#include "cvo_slam/loop/vocabulary.h"
 
 namespace cvo_slam {
 
-/// Features of two images that look alike, by their indices.
+/// Two similar features of two images, by their indices.
 struct FeatureMatch {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
@@ -24,28 +24,30 @@ struct FeatureMatch {
   }
 };
 
-/// Compares features of the same vocabulary node alone. A match is the nearest one both ways, is
-/// nearer than MatchingOptions::max_distance, and nearer than the second nearest by its ratio.
-/// In ascending order.
+/// Returns the matches between features of the same vocabulary node, in ascending order. A match is
+/// the nearest feature in both directions, no farther than MatchingOptions::max_distance, and
+/// nearer than the second nearest by MatchingOptions::ratio.
 [[nodiscard]] std::vector<FeatureMatch> match_by_nodes(const OrbFeatures& a,
                                                        const std::vector<NodeFeature>& a_nodes,
                                                        const OrbFeatures& b,
                                                        const std::vector<NodeFeature>& b_nodes,
                                                        const MatchingOptions& options);
 
-/// Those that turn with most of the others: between two images of one place the orientations of all
-/// features change by about the same angle.
+/// Returns the matches that agree with the most common rotation: between two images of one place
+/// the orientations of all features change by about the same angle.
 [[nodiscard]] std::vector<FeatureMatch> keep_common_rotation(
     const OrbFeatures& a, const OrbFeatures& b, const std::vector<FeatureMatch>& matches,
     const MatchingOptions& options);
 
-/// Matches again with the pose known: each feature of `a` that has depth with the one of `b` that
-/// looks most alike within MatchingOptions::search_radius of where the pose says that it is.
+/// Matches with a known pose, and the features that should be visible.
 struct ProjectionMatches {
-  std::vector<FeatureMatch> matches;  ///< none of `b` twice; in ascending order
-  /// The rays in frame b of those features of `a` with depth that lie in b's image.
+  std::vector<FeatureMatch> matches;  ///< in ascending order, no feature of `b` twice
+  /// Rays in frame b of the features of `a` with depth that lie in the image of b.
   std::vector<Eigen::Vector2d> visible;
 };
+
+/// Matches each feature of `a` that has depth with the most similar feature of `b` within
+/// MatchingOptions::search_radius of its projection.
 [[nodiscard]] ProjectionMatches match_by_projection(const OrbFeatures& a, const OrbFeatures& b,
                                                     const SE3& T_b_a, const PinholeCamera& camera,
                                                     const MatchingOptions& options);

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Google Highway compiles this file once for each instruction set and picks one at run time; the
-// list of sets is that of the tracker (frontend/pair_sums.cc), so that a set pinned there is pinned
-// here.
+// Google Highway compiles this file once for each instruction set and picks one at run time. The
+// list of sets is that of the tracker (frontend/pair_sums.cc), so that a set chosen there is chosen
+// here as well.
 #define HWY_DISABLED_TARGETS \
   (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
 #define HWY_COMPILE_ALL_ATTAINABLE
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cvo_slam/loop/hamming.cc"
-#include "cvo_slam/loop/hamming.h"
-
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
+
+#include "cvo_slam/loop/descriptor.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cvo_slam::HWY_NAMESPACE {

@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cvo_slam/loop/bit_counter_internal.h"
-#include "cvo_slam/loop/hamming.h"
 #include "cvo_slam/loop/k_majority_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-/// The index at which the running sum of `weights` first exceeds `target` < their sum.
+/// Returns the index at which the running sum of `weights` first exceeds `target` < their sum.
 std::size_t index_at(const std::vector<std::uint64_t>& weights, std::uint64_t target) {
   std::size_t i = 0;
   for (; target >= weights[i]; ++i) target -= weights[i];
   return i;
 }
 
-/// k-means++: each next centre is drawn with a probability that grows with the squared distance to
-/// the nearest one so far. Fewer than k where all descriptors are centres already.
+/// Returns the first centres by k-means++: each next centre is drawn with a probability in
+/// proportion to the squared distance to the nearest centre so far. Returns fewer than k if there
+/// are not k different descriptors.
 std::vector<Descriptor> first_centers(std::span<const Descriptor> descriptors, int k,
                                       Random& random) {
   std::vector<Descriptor> centers = {descriptors[random.below(descriptors.size())]};
@@ -38,7 +37,7 @@ std::vector<Descriptor> first_centers(std::span<const Descriptor> descriptors, i
   return centers;
 }
 
-/// Gives each descriptor to the nearest centre; answers whether any changed.
+/// Assigns each descriptor to the nearest centre. Returns true if any assignment changed.
 bool assign(std::span<const Descriptor> descriptors, Clusters& clusters) {
   bool changed = false;
   for (std::size_t i = 0; i < descriptors.size(); ++i) {
@@ -50,7 +49,7 @@ bool assign(std::span<const Descriptor> descriptors, Clusters& clusters) {
   return changed;
 }
 
-/// Moves the centres to the majorities of their members; those without are removed.
+/// Moves the centres to the majorities of their members; centres without members are removed.
 void update_centers(std::span<const Descriptor> descriptors, Clusters& clusters) {
   std::vector<BitCounter> counters(clusters.centers.size());
   for (std::size_t i = 0; i < descriptors.size(); ++i) {

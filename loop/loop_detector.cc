@@ -3,14 +3,27 @@
 #include "cvo_slam/loop/loop_detector.h"
 
 #include <algorithm>
+#include <utility>
 
-#include <fmt/format.h>
-
-#include "cvo_slam/loop/builtin_vocabulary.h"
 #include "cvo_slam/loop/candidate_groups_internal.h"
 
 namespace cvo_slam {
 namespace {
+
+OptionSet describe_candidates(CandidateOptions& o) {
+  return OptionSet()
+      .add("min_gap", o.min_gap, {0, 1000000}, "keyframes",
+           "Number of newest keyframes that are not searched, because tracking connects them.")
+      .add("min_score", o.min_score, {0, 1}, "",
+           "Least bag-of-words score of a candidate, as a share of the score with the preceding "
+           "keyframe.")
+      .add("candidates", o.candidates, {1, 1000}, "", "Most places to verify for an image.")
+      .expert()
+      .add("min_neighbor_score", o.min_neighbor_score, {0, 1}, "",
+           "Least value that is used as the score with the preceding keyframe, for fast motions.")
+      .add("group_gap", o.group_gap, {1, 1000}, "keyframes",
+           "Candidates at most this far apart are the same place.");
+}
 
 std::size_t bytes_of(const Appearance& appearance) {
   const OrbFeatures& features = appearance.features;
@@ -20,11 +33,11 @@ std::size_t bytes_of(const Appearance& appearance) {
          appearance.words.nodes.capacity() * sizeof(NodeFeature);
 }
 
-/// Those that are alike enough, most of them first.
-std::vector<CandidateGroup> best_groups(std::vector<KeyframeMatch> matches, double neighbor,
+/// Returns the groups of the matches with a sufficient score, the best ones first.
+std::vector<CandidateGroup> best_groups(std::vector<KeyframeMatch> matches, double reference_score,
                                         const CandidateOptions& options) {
   std::erase_if(matches, [&](const KeyframeMatch& match) {
-    return match.score < options.min_score * neighbor;
+    return match.score < options.min_score * reference_score;
   });
   auto groups = group_candidates(matches, static_cast<std::size_t>(options.group_gap));
   const auto most = static_cast<std::size_t>(options.candidates);
@@ -39,12 +52,19 @@ LoopOptions checked(LoopOptions options) {
 
 }  // namespace
 
+OptionSet describe(LoopOptions& o) {
+  return OptionSet()
+      .add("orb", describe(o.orb))
+      .add("candidates", describe_candidates(o.candidates))
+      .add("verification", describe(o.verification));
+}
+
 LoopDetector::LoopDetector(const Camera& camera, const LoopOptions& options,
                            std::shared_ptr<const Vocabulary> vocabulary)
     : camera_(camera),
       options_(checked(options)),
       vocabulary_(vocabulary ? std::move(vocabulary) : builtin_vocabulary()),
-      verifier_(camera.color, options.verification),
+      verifier_(camera, options.verification),
       database_(vocabulary_->words()) {
   camera_.check();
 }
@@ -58,64 +78,40 @@ std::shared_ptr<const Appearance> LoopDetector::extract(const RgbdFrame& frame) 
   return std::make_shared<const Appearance>(std::move(appearance));
 }
 
-int LoopDetector::consistency(const Place& place) const {
-  const auto gap = static_cast<std::size_t>(options_.candidates.group_gap);
-  int longest = 0;
-  for (const Place& earlier : places_) {
-    const bool is_near = place.first <= earlier.last + gap && earlier.first <= place.last + gap;
-    if (is_near) longest = std::max(longest, earlier.consistency + 1);
-  }
-  return longest;
-}
-
 std::vector<LoopMatch> LoopDetector::find_loops(const Appearance& query) {
   if (keyframes_.empty()) return {};
   const CandidateOptions& options = options_.candidates;
-  const double neighbor = std::max(options.min_neighbor_score,
-                                   bag_score(query.words.bag, keyframes_.back()->words.bag));
+  const double neighbor_score = std::max(options.min_neighbor_score,
+                                         bag_score(query.words.bag, keyframes_.back()->words.bag));
   const std::size_t end = size() - std::min(size(), static_cast<std::size_t>(options.min_gap));
-  std::vector<LoopMatch> matches;
-  std::vector<Place> places;
-  for (const CandidateGroup& group :
-       best_groups(database_.query(query.words.bag, end), neighbor, options)) {
-    Place place{group.first, group.last, 0};
-    place.consistency = consistency(place);
-    places.push_back(place);
-    matches.push_back(to_match(query, group, neighbor));
-    LoopMatch& match = matches.back();
-    match.consistency = place.consistency;
-    if (place.consistency >= options.min_consistency) {
-      match.verification = verifier_.verify(*keyframes_[group.best.keyframe], query);
-    } else {
-      match.verification.reason = fmt::format("{} images in a row before it led here; {} needed",
-                                              place.consistency, options.min_consistency);
-    }
-  }
-  places_ = std::move(places);
-  return matches;
+  const auto groups = best_groups(database_.query(query.words.bag, end), neighbor_score, options);
+  return verify(query, groups, neighbor_score);
 }
 
 std::vector<LoopMatch> LoopDetector::relocalize(const Appearance& query) {
   const auto candidates = database_.query(query.words.bag, size());
-  double best = options_.candidates.min_neighbor_score;
-  for (const KeyframeMatch& candidate : candidates) best = std::max(best, candidate.score);
-  std::vector<LoopMatch> matches;
-  for (const CandidateGroup& group : best_groups(candidates, best, options_.candidates)) {
-    matches.push_back(to_match(query, group, best));
-    matches.back().verification = verifier_.verify(*keyframes_[group.best.keyframe], query);
+  double best_score = options_.candidates.min_neighbor_score;
+  for (const KeyframeMatch& candidate : candidates) {
+    best_score = std::max(best_score, candidate.score);
   }
-  return matches;
+  return verify(query, best_groups(candidates, best_score, options_.candidates), best_score);
 }
 
-LoopMatch LoopDetector::to_match(const Appearance& query, const CandidateGroup& group,
-                                 double neighbor) const {
-  LoopMatch match;
-  match.query = query.id;
-  match.keyframe = keyframes_[group.best.keyframe]->id;
-  match.score = group.best.score;
-  match.normalized_score = group.best.score / neighbor;
-  match.shared_words = group.best.shared_words;
-  return match;
+std::vector<LoopMatch> LoopDetector::verify(const Appearance& query,
+                                            const std::vector<CandidateGroup>& groups,
+                                            double reference_score) const {
+  std::vector<LoopMatch> matches;
+  for (const CandidateGroup& group : groups) {
+    const KeyframeMatch& best = group.best;
+    const Appearance& keyframe = *keyframes_[best.keyframe];
+    matches.push_back({.query = query.id,
+                       .keyframe = keyframe.id,
+                       .score = best.score,
+                       .normalized_score = best.score / reference_score,
+                       .shared_words = best.shared_words,
+                       .verification = verifier_.verify(keyframe, query)});
+  }
+  return matches;
 }
 
 void LoopDetector::add(std::shared_ptr<const Appearance> keyframe) {

@@ -3,33 +3,99 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/options.h"
 #include "cvo_slam/core/rgbd_frame.h"
-#include "cvo_slam/loop/keyframe_database.h"
-#include "cvo_slam/loop/loop_options.h"
 #include "cvo_slam/loop/loop_verifier.h"
+#include "cvo_slam/loop/orb_features.h"
 #include "cvo_slam/loop/vocabulary.h"
 
 namespace cvo_slam {
 
 struct CandidateGroup;
 
-/// A keyframe that may show the place of the image that was asked for, and the verdict.
+/// Which keyframes become loop candidates.
+struct CandidateOptions {
+  /// Number of newest keyframes that are not searched [keyframes], 0 to 1000000. They look alike
+  /// because little has happened since, and tracking connects them. Lower it for short loops at
+  /// few keyframes per second.
+  int min_gap = 15;
+  /// Least bag-of-words score of a candidate, as a share of the score with the preceding keyframe,
+  /// 0 to 1. Lower values find more loops under changed viewpoints and cost more verifications.
+  double min_score = 0.3;
+  double min_neighbor_score = 0.05;
+  int group_gap = 3;
+  /// Most places to verify for an image, 1 to 1000. A verification takes a few milliseconds.
+  int candidates = 3;
+};
+
+struct LoopOptions {
+  OrbOptions orb;
+  CandidateOptions candidates;
+  VerificationOptions verification;
+};
+
+[[nodiscard]] OptionSet describe(LoopOptions& options);
+
+/// A keyframe that may show the same place as an image, and the result of the verification.
 struct LoopMatch {
   std::size_t query = 0;     ///< id of the image
   std::size_t keyframe = 0;  ///< id of the keyframe
   double score = 0;          ///< bag_score() of the two
-  /// The score divided by that of the image and the keyframe before it: 1 = as alike as neighbours.
+  /// The score divided by that of the image and the keyframe before it: 1 means as similar as
+  /// neighbours.
   double normalized_score = 0;
   int shared_words = 0;
-  int consistency = 0;        ///< how many images in a row before this one led to the same place
-  Verification verification;  ///< a = the keyframe, b = the image: T_a_b is T_keyframe_query
+  Verification verification;  ///< a is the keyframe and b the image: T_a_b is T_keyframe_query
 };
 
-/// Recognises places: by their visual words first, then by their geometry.
+/// A keyframe that shares words with an image.
+struct KeyframeMatch {
+  std::size_t keyframe = 0;  ///< counted from 0 in the order of add()
+  double score = 0;          ///< bag_score()
+  int shared_words = 0;
+
+  bool operator==(const KeyframeMatch&) const = default;
+};
+
+/// An inverted index: for each word the keyframes that show it. A query visits only the entries of
+/// its own words, so that its cost grows with the number of shared words. Takes 8 bytes per word of
+/// a keyframe (8 KB with 1,000 different words), and 32 per word of the vocabulary. For one thread
+/// at a time.
+class KeyframeDatabase {
+ public:
+  /// `words` is the number of words of the vocabulary.
+  explicit KeyframeDatabase(std::size_t words);
+
+  /// Adds the next keyframe. Throws DataError for a word that the vocabulary does not have.
+  void add(const BagOfWords& bag);
+  /// Returns those of the first `end` keyframes that share a word, in ascending order.
+  [[nodiscard]] std::vector<KeyframeMatch> query(const BagOfWords& bag, std::size_t end);
+
+  /// Number of keyframes.
+  [[nodiscard]] std::size_t size() const { return sums_.size(); }
+  /// Memory of the index [bytes].
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Entry {
+    std::uint32_t keyframe = 0;
+    float weight = 0;
+  };
+  struct Sum {
+    double score = 0;
+    int shared_words = 0;
+  };
+
+  std::vector<std::vector<Entry>> entries_;  // indexed by word, keyframes ascending
+  std::vector<Sum> sums_;                    // indexed by keyframe; zero between queries
+};
+
+/// Place recognition: finds earlier keyframes by their visual words and verifies them by geometry.
 ///
 ///   LoopDetector detector(camera);
 ///   for (each keyframe) {
@@ -38,22 +104,24 @@ struct LoopMatch {
 ///     detector.add(appearance);
 ///   }
 ///
-/// Answers follow from the images, their order and their ids alone. All but extract() is for one
-/// thread at a time.
+/// The results depend only on the images, their order and their ids. All functions except extract()
+/// are for one thread at a time. Only the word query of find_loops() and relocalize() takes longer
+/// with more keyframes.
 class LoopDetector {
  public:
-  /// Without a vocabulary, with the built-in one. Throws OptionError for a bad option or camera.
+  /// Uses the built-in vocabulary if none is given. Throws OptionError for a bad option or camera.
   explicit LoopDetector(const Camera& camera, const LoopOptions& options = {},
                         std::shared_ptr<const Vocabulary> vocabulary = nullptr);
 
-  /// The features and words of an image; its id is the frame's index. None where there are none
-  /// (extract_orb()); such an image matches nothing. May be called from several threads.
+  /// Returns the features and words of an image, with the frame's index as id. An image without
+  /// features (see extract_orb()) matches nothing. May be called from several threads.
   [[nodiscard]] std::shared_ptr<const Appearance> extract(const RgbdFrame& frame) const;
 
-  /// The keyframes that the next keyframe, not yet added, may have come back to, all older than the
-  /// newest CandidateOptions::min_gap: the best of each place, the likeliest place first.
+  /// Returns the keyframes whose place the next keyframe, not yet added, may show, all older than
+  /// the newest CandidateOptions::min_gap: the best match of each place, the likeliest place first.
   [[nodiscard]] std::vector<LoopMatch> find_loops(const Appearance& query);
-  /// The same for an image from anywhere, e.g. when tracking is lost: any keyframe will do.
+  /// Returns the same for an image from anywhere, e.g. when tracking is lost; searches all
+  /// keyframes.
   [[nodiscard]] std::vector<LoopMatch> relocalize(const Appearance& query);
 
   /// Adds the next keyframe.
@@ -66,15 +134,9 @@ class LoopDetector {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Place {
-    std::size_t first = 0;
-    std::size_t last = 0;
-    int consistency = 0;
-  };
-
-  [[nodiscard]] int consistency(const Place& place) const;
-  [[nodiscard]] LoopMatch to_match(const Appearance& query, const CandidateGroup& group,
-                                   double neighbor) const;
+  [[nodiscard]] std::vector<LoopMatch> verify(const Appearance& query,
+                                              const std::vector<CandidateGroup>& groups,
+                                              double reference_score) const;
 
   Camera camera_;
   LoopOptions options_;
@@ -82,7 +144,6 @@ class LoopDetector {
   LoopVerifier verifier_;
   KeyframeDatabase database_;
   std::vector<std::shared_ptr<const Appearance>> keyframes_;
-  std::vector<Place> places_;  // that the last query of find_loops() led to
 };
 
 }  // namespace cvo_slam

@@ -7,21 +7,50 @@
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/options.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/loop/bag_of_words.h"
-#include "cvo_slam/loop/loop_options.h"
 #include "cvo_slam/loop/orb_features.h"
+#include "cvo_slam/loop/vocabulary.h"
 
 namespace cvo_slam {
 
-/// What the loop detector knows of an image.
+/// How features of two images are matched.
+struct MatchingOptions {
+  int node_level = 1;
+  int max_distance = 64;
+  double ratio = 0.85;
+  double rotation_window = 0.35;
+  double search_radius = 8;
+};
+
+/// How a candidate is verified.
+struct VerificationOptions {
+  MatchingOptions matching;
+  int min_matches = 12;
+  int iterations = 500;
+  /// Largest distance between a feature and the projection of its match, for an inlier [px at the
+  /// finest pyramid level], 0.1 to 100. Three standard deviations of an ORB feature. Raise it for a
+  /// camera with a poor calibration.
+  double max_reprojection = 3;
+  /// Least number of inliers of an accepted candidate, 4 to 100000. Lower it to close loops with
+  /// few common features; raise it where different places look alike.
+  int min_inliers = 25;
+  double min_visible_share = 0.1;
+  double min_coverage = 0.4;
+  double max_deviation_translation = 0.02;
+  double max_deviation_rotation = 0.015;
+};
+
+[[nodiscard]] OptionSet describe(VerificationOptions& options);
+
+/// The features and visual words of an image.
 struct Appearance {
-  std::size_t id = 0;  ///< whatever its owner calls it, e.g. the index of the frame
+  std::size_t id = 0;  ///< chosen by the owner, e.g. the index of the frame
   OrbFeatures features;
   ImageWords words;
 };
 
-/// Where two images see the same point [px].
+/// The pixels at which two images see the same point [px].
 struct PixelPair {
   float a_u = 0;
   float a_v = 0;
@@ -29,32 +58,33 @@ struct PixelPair {
   float b_v = 0;
 };
 
-/// Whether two images show the same place, and from where.
+/// The result of comparing two images: whether they show the same place, and the relative pose.
 struct Verification {
   bool accepted = false;
-  std::string reason;  ///< why it was not accepted; empty where it was
+  std::string reason;  ///< why the pair was rejected; empty if it was accepted
   SE3 T_a_b;
   Matrix6 information = Matrix6::Zero();  ///< of a right perturbation of T_a_b
-  std::size_t matches = 0;                ///< of words, with a common rotation
-  std::size_t inliers = 0;                ///< of the features matched with the pose known
-  double visible_share = 0;  ///< inliers among the features that both images should see
-  /// Of the cells of the image where features should be seen in either image, the share with an
-  /// inlier. A poster that hangs in two places explains its own cells alone.
+  std::size_t matches = 0;                ///< matches by words with a common rotation
+  std::size_t inliers = 0;                ///< among the features matched with the known pose
+  double visible_share = 0;               ///< inliers over the features that both images should see
+  /// Share of the image cells in which features should be seen that have an inlier, in the worse of
+  /// the two images. An object that is in two places, such as a poster, explains its own cells
+  /// only.
   double coverage = 0;
-  std::vector<PixelPair> pixels;  ///< of the inliers; of a rejected pair what agreed best
+  std::vector<PixelPair> pixels;  ///< the inliers; for a rejected pair, those of the best pose
 };
 
-/// Compares two images of a calibrated RGB-D camera by their features. Answers follow from the two
-/// images, the options and the two ids (which seed the search) alone.
+/// Compares two images of a calibrated RGB-D camera by their features. The result depends only on
+/// the two images, the options and the two ids, which seed the search.
 class LoopVerifier {
  public:
-  /// Throws OptionError for a bad option.
-  explicit LoopVerifier(const PinholeCamera& camera, const VerificationOptions& options = {});
+  /// Throws OptionError for a bad option or camera.
+  explicit LoopVerifier(const Camera& camera, const VerificationOptions& options = {});
 
   [[nodiscard]] Verification verify(const Appearance& a, const Appearance& b) const;
 
  private:
-  PinholeCamera camera_;
+  Camera camera_;
   VerificationOptions options_;
 };
 

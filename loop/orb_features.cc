@@ -16,10 +16,10 @@
 namespace cvo_slam {
 namespace {
 
-/// OpenCV's default, which descriptors need around their corner.
+/// Size of the patch that descriptors need around their corner [px]; OpenCV's default.
 constexpr int kPatch = 31;
 
-/// Grey, or empty where the image is of no use.
+/// Returns the grey image; an empty one if the image cannot be used.
 cv::Mat grey_of(const cv::Mat& color) {
   if (std::min(color.rows, color.cols) <= 2 * kPatch) return {};
   if (color.type() == CV_8UC1) return color;
@@ -28,8 +28,8 @@ cv::Mat grey_of(const cv::Mat& color) {
   return grey;
 }
 
-/// Finds many more corners than wanted: OpenCV keeps the strongest of all the image, wherever they
-/// are.
+/// Makes a detector of many more corners than wanted, because OpenCV keeps the strongest of the
+/// whole image without regard to their positions.
 cv::Ptr<cv::ORB> make_detector(const OrbOptions& options, int threshold) {
   constexpr int kSurplus = 20;
   return cv::ORB::create(kSurplus * options.features, static_cast<float>(options.scale),
@@ -49,7 +49,7 @@ std::vector<cv::KeyPoint> detect(const cv::Mat& grey, const OrbOptions& options)
   return selected;
 }
 
-/// Depth around a pixel [m]; 0 where most of it is missing or it spans an edge.
+/// Returns the depth around a pixel [m]; 0 if most of it is missing or it spans an edge.
 double depth_at(const cv::Mat& depth, const cv::Point& pixel, double units_per_metre) {
   std::array<std::uint16_t, 9> values{};
   std::size_t count = 0;
@@ -97,19 +97,21 @@ OrbFeature to_feature(const cv::KeyPoint& keypoint, const RgbdFrame& frame, cons
 
 OptionSet describe(OrbOptions& o) {
   return OptionSet()
-      .add("features", o.features, {10, 20000}, "", "Most features of an image.")
-      .add("levels", o.levels, {1, 16}, "",
-           "Levels of the pyramid. Eight at 1.2 cover a factor of 3.6 in distance.")
-      .add("scale", o.scale, {1.05, 2}, "", "Between levels.")
+      .add("features", o.features, {10, 20000}, "",
+           "Most features of an image. More make loops under changed viewpoints more likely and "
+           "take "
+           "more time and memory.")
+      .expert()
+      .add(
+          "levels", o.levels, {1, 16}, "",
+          "Levels of the image pyramid; eight at a scale of 1.2 cover a factor of 3.6 in distance.")
+      .add("scale", o.scale, {1.05, 2}, "", "Ratio of the sizes of two pyramid levels.")
       .add("threshold", o.threshold, {1, 255}, "grey levels",
-           "By how much a corner's ring differs from its centre; OpenCV's default.")
+           "Contrast of a corner: least difference between its ring and its centre.")
       .add("low_threshold", o.low_threshold, {1, 255}, "grey levels",
-           "The same in cells where the other finds nothing, as on plain walls. Everywhere, it "
-           "would "
-           "fill images with corners of noise.")
+           "Contrast of a corner in cells where the other threshold finds none, as on plain walls.")
       .add("per_cell", o.per_cell, {1, 1000}, "",
-           "Features in each cell of the grids that spread them: the fewer, the more evenly, and "
-           "the more of them weak.");
+           "Features in each cell of the grids that spread them; fewer are more even and weaker.");
 }
 
 OrbFeatures extract_orb(const RgbdFrame& frame, const Camera& camera, const OrbOptions& options) {

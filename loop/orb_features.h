@@ -13,7 +13,10 @@
 
 namespace cvo_slam {
 
+/// How ORB features are extracted.
 struct OrbOptions {
+  /// Most features of an image, 10 to 20000. More make loops under changed viewpoints more likely
+  /// and take more time and memory (85 bytes per feature of a keyframe).
   int features = 1000;
   int levels = 8;
   double scale = 1.2;
@@ -24,18 +27,18 @@ struct OrbOptions {
 
 [[nodiscard]] OptionSet describe(OrbOptions& options);
 
-/// A corner of an image.
+/// A feature of an image: an oriented corner.
 struct OrbFeature {
-  float u = 0;  ///< where it is in the image [px]
+  float u = 0;  ///< position in the image [px]
   float v = 0;
-  float x = 0;  ///< its ray (x, y, 1) in the camera frame, distortion removed
+  float x = 0;  ///< ray (x, y, 1) in the camera frame, distortion removed
   float y = 0;
   float depth = 0;  ///< along z [m]; 0 = unknown
   float angle = 0;  ///< orientation, clockwise from the image's x axis [rad], in [0, 2 pi)
-  float size = 1;   ///< scale of its pyramid level: how many pixels one of that level is
+  float size = 1;   ///< pixels of the image per pixel of its pyramid level
 
   [[nodiscard]] bool has_depth() const { return depth > 0; }
-  /// In the camera frame [m]; of a feature with depth.
+  /// Returns the position in the camera frame [m] of a feature with depth.
   [[nodiscard]] Vector3 position() const { return static_cast<double>(depth) * ray(); }
   [[nodiscard]] Vector3 ray() const { return {x, y, 1}; }
 };
@@ -49,14 +52,14 @@ struct OrbFeatures {
   [[nodiscard]] bool empty() const { return points.empty(); }
 };
 
-/// Oriented FAST corners with their ORB descriptors (E. Rublee et al., "ORB: an efficient
-/// alternative to SIFT or SURF", ICCV 2011; OpenCV's implementation), the strongest of each cell of
-/// a grid in turn, so that they are spread evenly over the image. Cells without any are searched
-/// again for weaker ones.
+/// Returns oriented FAST corners with their ORB descriptors (E. Rublee et al., "ORB: an efficient
+/// alternative to SIFT or SURF", ICCV 2011; OpenCV's implementation). The strongest corner of each
+/// cell of a grid is taken in turn, so that they are spread evenly over the image. Cells without
+/// any corner are searched again with a lower threshold.
 ///
-/// An image that is empty, too small or neither CV_8UC3 nor CV_8UC1 has no features. A depth image
-/// that is missing, of another size or type gives none of them a depth; nor has a feature one whose
-/// neighbours are at very different depths, for it may belong to either side of the edge.
+/// An image that is empty, too small or neither CV_8UC3 nor CV_8UC1 has no features. No feature has
+/// a depth if the depth image is missing or of another size or type. A feature whose neighbours are
+/// at very different depths has none either, because it may belong to either side of the edge.
 [[nodiscard]] OrbFeatures extract_orb(const RgbdFrame& frame, const Camera& camera,
                                       const OrbOptions& options = {});
 

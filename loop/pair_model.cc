@@ -6,17 +6,21 @@
 
 #include <Eigen/Cholesky>
 
-#include "cvo_slam/loop/pair_model_internal.h"
+#include "cvo_slam/loop/pose_search_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-/// Residuals beyond so many standard deviations weigh less.
+/// Residuals of more standard deviations than this have a lower weight.
 constexpr double kHuber = 2;
-/// How far the depth of an inlier may be off, in standard deviations.
+/// Largest difference between the depths of an inlier [standard deviations].
 constexpr double kDepthDeviations = 3;
 
-/// Of a moved point R (p + v + w x p) + t with respect to the tangent (v, w).
+/// Least noise that is assumed, for cameras whose noise model is zero.
+constexpr double kLeastPixelNoise = 0.01;  // [px]
+constexpr double kLeastDepthNoise = 1e-5;  // [m]
+
+/// Returns the derivative of a moved point R (p + v + w x p) + t by the tangent (v, w).
 Eigen::Matrix<double, 3, 6> point_jacobian(const Matrix3& rotation, const Vector3& point) {
   Eigen::Matrix<double, 3, 6> jacobian;
   jacobian << rotation, -rotation * skew(point);
@@ -41,12 +45,13 @@ struct NormalEquations {
   Eigen::Matrix<double, 6, 6> H = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> g = Eigen::Matrix<double, 6, 1>::Zero();
   double chi2 = 0;
-  double count = 0;  // of residuals
+  double count = 0;  // number of residuals
 };
 
 namespace {
 
-/// Adds where a point should be seen, `position` with its jacobian, against where it is.
+/// Adds the difference between the projection of a point, given by `position` and its Jacobian, and
+/// the feature at which it was seen.
 void add_pixel(NormalEquations& equations, const Vector3& position,
                const Eigen::Matrix<double, 3, 6>& jacobian, const OrbFeature& feature,
                const Eigen::Vector2d& pixels_per_deviation, double weight) {
@@ -62,18 +67,22 @@ void add_pixel(NormalEquations& equations, const Vector3& position,
 
 }  // namespace
 
-PairModel::PairModel(const PinholeCamera& camera, const VerificationOptions& options)
-    : fx_(camera.fx), fy_(camera.fy), options_(options) {}
-
-double PairModel::depth_deviation(double depth) const {
-  return options_.depth_noise * std::max(1.0, depth * depth);
+PairModel::PairModel(const Camera& camera, double max_reprojection)
+    : fx_(camera.color.fx),
+      fy_(camera.color.fy),
+      noise_(camera.noise),
+      max_reprojection_(max_reprojection) {
+  noise_.pixel = std::max(noise_.pixel, kLeastPixelNoise);
+  noise_.depth_floor = std::max(noise_.depth_floor, kLeastDepthNoise);
 }
+
+double PairModel::depth_deviation(double depth) const { return noise_.sigma_z(depth); }
 
 double PairModel::pixel_error(const Vector3& position, const OrbFeature& feature) const {
   if (position.z() <= 0) return std::numeric_limits<double>::infinity();
   const double dx = fx_ * (position.x() / position.z() - feature.x);
   const double dy = fy_ * (position.y() / position.z() - feature.y);
-  const double allowed = options_.max_reprojection * feature.size;
+  const double allowed = max_reprojection_ * feature.size;
   return (dx * dx + dy * dy) / (allowed * allowed);
 }
 
@@ -93,9 +102,9 @@ double PairModel::error(const SE3& T_a_b, const SE3& T_b_a, const PointPair& pai
 void PairModel::add_pair(const SE3& T_a_b, const SE3& T_b_a, const PointPair& pair,
                          NormalEquations& equations) const {
   const auto pixels = [&](const OrbFeature& feature) -> Eigen::Vector2d {
-    return Eigen::Vector2d(fx_, fy_) / (options_.pixel_noise * feature.size);
+    return Eigen::Vector2d(fx_, fy_) / (noise_.pixel * feature.size);
   };
-  // The two directions compare the same two pixels: together they count once.
+  // Both directions compare the same two pixels; together they count once.
   const double weight = pair.a.has_depth() && pair.b.has_depth() ? 0.5 : 1;
   if (pair.a.has_depth()) {
     const Vector3 in_b = T_b_a * pair.a.position();

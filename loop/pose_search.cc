@@ -17,7 +17,7 @@ namespace {
 
 using Triple = std::array<PointPair, 3>;
 
-/// A triangle of points, a column each.
+/// Returns a triangle with one point per column.
 template <typename Position>
 Matrix3 corners(const Triple& triple, const Position& position) {
   Matrix3 result;
@@ -25,7 +25,8 @@ Matrix3 corners(const Triple& triple, const Position& position) {
   return result;
 }
 
-/// Corners in less than a line: nothing turns about it.
+/// Returns true if the corners are too close together or nearly on a line, so that they do not
+/// determine a rotation.
 bool is_degenerate(const Matrix3& triangle) {
   const Vector3 first = triangle.col(1) - triangle.col(0);
   const Vector3 second = triangle.col(2) - triangle.col(0);
@@ -35,7 +36,7 @@ bool is_degenerate(const Matrix3& triangle) {
   return lengths < kShortest * kShortest || first.cross(second).norm() < kSmallestSine * lengths;
 }
 
-/// Whether no side's lengths differ by more than the depths' noise allows.
+/// Returns true if the lengths of no side differ by more than the depth noise allows.
 bool are_congruent(const Matrix3& a, const Matrix3& b, const PairModel& model) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -43,13 +44,13 @@ bool are_congruent(const Matrix3& a, const Matrix3& b, const PairModel& model) {
     const double length_b = (b.col(i) - b.col(j)).norm();
     const double deviation =
         model.depth_deviation(std::max(a.row(2).maxCoeff(), b.row(2).maxCoeff()));
-    constexpr double kDeviations = 6;  // three for either end
+    constexpr double kDeviations = 6;  // three for each end
     if (std::abs(length_a - length_b) > kDeviations * deviation) return false;
   }
   return true;
 }
 
-/// The rigid motion of least squared distances (S. Umeyama, PAMI 1991, without the scale).
+/// Returns the rigid motion of least squared distances (S. Umeyama, PAMI 1991, without the scale).
 SE3 align_triangles(const Matrix3& a, const Matrix3& b) {
   const Vector3 center_a = a.rowwise().mean();
   const Vector3 center_b = b.rowwise().mean();
@@ -61,7 +62,8 @@ SE3 align_triangles(const Matrix3& a, const Matrix3& b) {
   return {rotation, center_a - rotation * center_b};
 }
 
-/// Poses T_camera_points of a camera that sees three points (columns) in the given features.
+/// Returns the poses T_camera_points of a camera that sees three points (columns) in the given
+/// features.
 template <typename Seen>
 std::vector<SE3> perspective_poses(const Matrix3& points, const Triple& triple, const Seen& seen) {
   std::vector<cv::Point3d> object;
@@ -86,7 +88,7 @@ std::vector<SE3> perspective_poses(const Matrix3& points, const Triple& triple, 
   return poses;
 }
 
-/// The poses T_a_b that a triple may mean.
+/// Returns the poses T_a_b that agree with a triple.
 std::vector<SE3> poses_of(const Triple& triple, const PairModel& model) {
   const auto all_have = [&](OrbFeature PointPair::*side) {
     return std::all_of(triple.begin(), triple.end(),
@@ -124,7 +126,7 @@ Triple draw(std::span<const PointPair> pairs, Random& random) {
   return {pairs[indices[0]], pairs[indices[1]], pairs[indices[2]]};
 }
 
-/// Sum of truncated errors: the lower, the better.
+/// Returns the sum of truncated errors; lower is better.
 double cost_of(const SE3& T_a_b, std::span<const PointPair> pairs, const PairModel& model) {
   const SE3 T_b_a = T_a_b.inverse();
   double cost = 0;
@@ -132,7 +134,7 @@ double cost_of(const SE3& T_a_b, std::span<const PointPair> pairs, const PairMod
   return cost;
 }
 
-/// Draws after which a triple of inliers has been among them with 99.9 %.
+/// Returns the number of draws after which one was a triple of inliers with 99.9 % probability.
 int draws_needed(std::size_t inliers, std::size_t pairs) {
   const double share = static_cast<double>(inliers) / static_cast<double>(pairs);
   const double miss = 1 - share * share * share;
@@ -148,10 +150,10 @@ class Best {
   Best(std::span<const PointPair> pairs, const PairModel& model)
       : pairs_(pairs), model_(model), cost_(static_cast<double>(pairs.size())) {}
 
-  /// Answers whether it is better; then it has been refined as well.
+  /// Takes a pose and refines it if it is better than the best so far. Returns true if it is.
   bool see(const SE3& T_a_b) {
     if (!take(T_a_b)) return false;
-    constexpr int kRefinements = 3;  // the inliers of a refined pose are others
+    constexpr int kRefinements = 3;  // a refined pose has other inliers
     for (int i = 0; i < kRefinements; ++i) {
       const auto inliers = inliers_of(*pose_, pairs_, model_);
       if (inliers.size() <= 3 || !take(model_.refine(*pose_, inliers).T_a_b)) break;

@@ -8,18 +8,18 @@
 
 namespace cvo_slam {
 
-/// Seeded random numbers that are the same on every machine: the standard specifies the engine to
-/// the bit, but not its distributions.
+/// Seeded random numbers that are the same on every machine. The standard specifies the engine
+/// exactly, but not the distributions.
 class Random {
  public:
   /// Seeds that differ in any value give unrelated sequences.
   Random(std::initializer_list<std::uint64_t> seeds) : engine_(mix(seeds)) {}
 
-  /// In [0, n), n > 0. The bias is below n / 2^64.
+  /// Returns a number in [0, n), n > 0. The bias is below n / 2^64.
   [[nodiscard]] std::uint64_t below(std::uint64_t n) { return engine_() % n; }
 
  private:
-  /// The finaliser of SplitMix64 (G. Steele et al., OOPSLA 2014) over each value in turn.
+  /// Applies the finaliser of SplitMix64 (G. Steele et al., OOPSLA 2014) to each value in turn.
   static std::uint64_t mix(std::initializer_list<std::uint64_t> seeds) {
     std::uint64_t state = 0;
     for (const std::uint64_t seed : seeds) {

@@ -6,8 +6,9 @@
 
 namespace cvo_slam {
 
-/// The rays (x, y, 1) that end in a camera's image, up to its rounded rims. Asking for the pixel of
-/// a point instead would not do: Brown's polynomials lead points far outside back into the image.
+/// The rays (x, y, 1) that end in a camera's image, except at its rounded rims. Projecting a point
+/// to a pixel instead would be wrong: Brown's polynomials map points far outside back into the
+/// image.
 class RayBounds {
  public:
   explicit RayBounds(const PinholeCamera& camera) {
@@ -22,11 +23,12 @@ class RayBounds {
     }
   }
 
+  /// Returns true if a ray ends in the image.
   [[nodiscard]] bool contains(const Eigen::Vector2d& ray) const {
     return (ray.array() >= min_.array()).all() && (ray.array() <= max_.array()).all();
   }
 
-  /// Where between the rims it is, in [0, 1) each.
+  /// Returns the position of a ray between the rims, in [0, 1) for each coordinate.
   [[nodiscard]] Eigen::Vector2d share(const Eigen::Vector2d& ray) const {
     constexpr double kBelowOne = 1 - 1e-9;
     const Eigen::Vector2d share = (ray - min_).cwiseQuotient(max_ - min_);

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/hamming.h"
 
 namespace cvo_slam {
 namespace {
@@ -36,7 +35,7 @@ void check_node(const VocabularyNode& node, std::size_t index) {
   }
 }
 
-/// The number of children of each node, the root first.
+/// Returns the number of children of each node, the root first.
 std::vector<std::uint32_t> count_children(const std::vector<VocabularyNode>& nodes, int branching) {
   std::vector<std::uint32_t> counts(nodes.size() + 1);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -63,7 +62,7 @@ void check_depth(const std::vector<VocabularyNode>& nodes, int levels) {
   }
 }
 
-/// Each node's children in their order: those of node i at [starts[i], starts[i + 1]).
+/// The children of each node in their order: those of node i are at [starts[i], starts[i + 1]).
 struct ChildLists {
   ChildLists(const std::vector<VocabularyNode>& nodes, const std::vector<std::uint32_t>& counts)
       : starts(counts.size() + 1), children(nodes.size()) {
@@ -75,7 +74,7 @@ struct ChildLists {
   std::vector<std::uint32_t> children;
 };
 
-/// The given indices of nodes, breadth first.
+/// Returns the original indices of the nodes in breadth-first order.
 std::vector<std::uint32_t> breadth_first(const ChildLists& lists) {
   std::vector<std::uint32_t> order = {0};
   order.reserve(lists.children.size() + 1);
@@ -87,7 +86,7 @@ std::vector<std::uint32_t> breadth_first(const ChildLists& lists) {
   return order;
 }
 
-/// Turns words with repetitions, in any order, into a bag.
+/// Returns the bag of a list of words with repetitions, in any order.
 BagOfWords to_bag(std::vector<WordId> words, const Vocabulary& vocabulary) {
   std::sort(words.begin(), words.end());
   BagOfWords bag;
@@ -96,7 +95,7 @@ BagOfWords to_bag(std::vector<WordId> words, const Vocabulary& vocabulary) {
     const std::size_t first = i;
     while (i < words.size() && words[i] == words[first]) ++i;
     const float weight = static_cast<float>(i - first) * vocabulary.weight(words[first]);
-    if (weight <= 0) continue;  // a word that every image shows
+    if (weight <= 0) continue;  // every image shows this word
     bag.push_back({words[first], weight});
     total += weight;
   }
@@ -105,6 +104,25 @@ BagOfWords to_bag(std::vector<WordId> words, const Vocabulary& vocabulary) {
 }
 
 }  // namespace
+
+double bag_score(const BagOfWords& a, const BagOfWords& b) {
+  // Both sum to 1, so that |a - b|_1 = 2 - 2 sum min(a, b).
+  double score = 0;
+  auto i = a.begin();
+  auto j = b.begin();
+  while (i != a.end() && j != b.end()) {
+    if (i->word == j->word) {
+      score += std::min(i->weight, j->weight);
+      ++i;
+      ++j;
+    } else if (i->word < j->word) {
+      ++i;
+    } else {
+      ++j;
+    }
+  }
+  return score;
+}
 
 Vocabulary::Vocabulary(int branching, int levels, const std::vector<VocabularyNode>& nodes)
     : branching_(branching), levels_(levels) {

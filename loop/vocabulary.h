@@ -4,57 +4,100 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "cvo_slam/loop/bag_of_words.h"
+#include "cvo_slam/core/options.h"
+#include "cvo_slam/core/parallel.h"
 #include "cvo_slam/loop/descriptor.h"
 
 namespace cvo_slam {
 
-/// A node of a vocabulary's tree below the root. The root has no descriptor and the index 0; the
-/// node at place i of a list of nodes has the index i + 1.
-struct VocabularyNode {
-  std::uint32_t parent = 0;  ///< a smaller index than the node's own
-  bool is_word = false;      ///< a leaf
-  Descriptor descriptor;
-  float weight = 0;  ///< of a word: its idf; otherwise without meaning
+/// The index of a visual word of a vocabulary, in [0, Vocabulary::words()).
+using WordId = std::uint32_t;
+
+struct WordWeight {
+  WordId word = 0;
+  float weight = 0;
+
+  bool operator==(const WordWeight&) const = default;
 };
 
-/// A tree of descriptors whose leaves are visual words. A descriptor's word is found by descending
-/// to the nearest child from the root on (D. Nister and H. Stewenius, CVPR 2006; for binary
-/// descriptors D. Galvez-Lopez and J. D. Tardos, T-RO 2012).
+/// The visual words of an image: tf-idf weights that sum to 1, in ascending order of words. Empty
+/// if the image has no features, or only words that every image shows.
+using BagOfWords = std::vector<WordWeight>;
+
+/// Returns 1 - |a - b|_1 / 2, which is 1 for equal bags and 0 for bags without a common word (D.
+/// Nister and H. Stewenius, "Scalable Recognition with a Vocabulary Tree", CVPR 2006, as scaled by
+/// D. Galvez-Lopez and J. D. Tardos, "Bags of Binary Words for Fast Place Recognition", T-RO 2012,
+/// Eq. (2)).
+[[nodiscard]] double bag_score(const BagOfWords& a, const BagOfWords& b);
+
+/// A feature of an image and the node of a vocabulary, at some level, to which it belongs.
+struct NodeFeature {
+  std::uint32_t node = 0;
+  std::uint32_t feature = 0;
+
+  bool operator==(const NodeFeature&) const = default;
+  bool operator<(const NodeFeature& other) const {
+    return std::pair(node, feature) < std::pair(other.node, other.feature);
+  }
+};
+
+/// The description of an image by a vocabulary.
+struct ImageWords {
+  BagOfWords bag;
+  std::vector<NodeFeature> nodes;  ///< in ascending order; one for each feature
+};
+
+/// A node of a vocabulary's tree below the root. The root has no descriptor and the index 0; the
+/// node at position i of a list of nodes has the index i + 1.
+struct VocabularyNode {
+  std::uint32_t parent = 0;  ///< smaller than the node's own index
+  bool is_word = false;      ///< true for a leaf
+  Descriptor descriptor;
+  float weight = 0;  ///< the idf of a word; not used for other nodes
+};
+
+/// A tree of descriptors whose leaves are visual words. The word of a descriptor is found by
+/// descending from the root to the nearest child at each level (D. Nister and H. Stewenius, CVPR
+/// 2006; for binary descriptors D. Galvez-Lopez and J. D. Tardos, T-RO 2012).
 ///
-/// Immutable, so that one may be shared by any number of threads.
+/// Immutable, so that any number of threads may share one.
 class Vocabulary {
  public:
   static constexpr int kMaxBranching = 255;
   static constexpr int kMaxLevels = 16;
 
-  /// A node has at most `branching` children, a word at most `levels` steps from the root. Nodes
-  /// are renumbered breadth first; siblings keep their order, and words are counted in the new one.
-  /// Throws DataError where the nodes are no such tree, or a weight is negative or not finite.
+  /// A node has at most `branching` children, a word is at most `levels` steps below the root.
+  /// Nodes are renumbered breadth first; siblings keep their order, and words are numbered in the
+  /// new order. Throws DataError if the nodes are not such a tree, or if a weight is negative or
+  /// not finite.
   Vocabulary(int branching, int levels, const std::vector<VocabularyNode>& nodes);
 
   [[nodiscard]] int branching() const { return branching_; }
   [[nodiscard]] int levels() const { return levels_; }
+  /// Number of words.
   [[nodiscard]] std::size_t words() const { return weights_.size(); }
-  /// With the root.
+  /// Number of nodes, including the root.
   [[nodiscard]] std::size_t nodes() const { return descriptors_.size(); }
 
-  /// The nodes below the root, breadth first, as the constructor takes them.
+  /// Returns the nodes below the root, breadth first, as the constructor takes them.
   [[nodiscard]] std::vector<VocabularyNode> tree() const;
-  /// The idf of a word.
+  /// Returns the idf of a word.
   [[nodiscard]] float weight(WordId word) const { return weights_[word]; }
 
-  /// Where a descriptor's descent ends.
+  /// The end of a descriptor's descent.
   struct Place {
     WordId word = 0;
-    std::uint32_t node = 0;  ///< passed at the level that was asked for, or the word's own
+    std::uint32_t node = 0;  ///< the node passed at the requested level, or the word's own node
   };
   [[nodiscard]] Place find(const Descriptor& descriptor, int level) const;
 
-  /// The words of an image's descriptors, and the nodes they pass `level` steps below the root.
+  /// Returns the words of an image's descriptors, and the nodes they pass `level` steps below the
+  /// root.
   [[nodiscard]] ImageWords transform(std::span<const Descriptor> descriptors, int level) const;
 
  private:
@@ -64,11 +107,33 @@ class Vocabulary {
 
   int branching_;
   int levels_;
-  // By node, breadth first, so that siblings lie side by side.
+  // Indexed by node, breadth first, so that siblings are adjacent.
   std::vector<Descriptor> descriptors_;
   std::vector<std::uint32_t> first_child_;  // one more than nodes
   std::vector<WordId> word_;                // of leaves
-  std::vector<float> weights_;              // by word
+  std::vector<float> weights_;              // indexed by word
 };
+
+/// Returns the vocabulary of config/vocabulary/, whose bytes are part of this library. Each call
+/// makes a new one; share it.
+[[nodiscard]] std::shared_ptr<const Vocabulary> builtin_vocabulary();
+
+struct TrainingOptions {
+  int branching = 9;
+  int levels = 5;
+  int iterations = 10;
+  int seed = 1;
+};
+
+[[nodiscard]] OptionSet describe(TrainingOptions& options);
+
+/// Returns a vocabulary made from the descriptors of many images, one list per image, by
+/// hierarchical k-majority clustering. The weight of a word is the logarithm of the number of
+/// images over the number of images that show it (idf). The same descriptors and options give the
+/// same vocabulary on any number of threads. Throws DataError if there are no descriptors,
+/// OptionError for a bad option.
+[[nodiscard]] Vocabulary train_vocabulary(std::span<const std::vector<Descriptor>> images,
+                                          const TrainingOptions& options = {},
+                                          const Executor& executor = Executor());
 
 }  // namespace cvo_slam

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/vocabulary_file.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,7 +11,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/loop/vocabulary_text.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 
 namespace cvo_slam {
 namespace {
@@ -53,7 +51,7 @@ std::uint64_t add_to_checksum(std::uint64_t sum, std::span<const char> bytes) {
   return sum;
 }
 
-/// Of everything but the checksum itself.
+/// Returns the checksum of all bytes except the checksum itself.
 std::uint64_t checksum(std::span<const char> bytes) {
   constexpr std::uint64_t kBasis = 0xcbf29ce484222325U;
   const std::uint64_t header = add_to_checksum(kBasis, bytes.first(kChecksumAt));
@@ -78,7 +76,7 @@ struct Header {
   [[nodiscard]] std::uint64_t file_bytes() const { return weights_at() + 4 * std::uint64_t{words}; }
 };
 
-/// What keeps the bytes from being a vocabulary; empty where nothing does.
+/// Returns why the bytes are no vocabulary; an empty text if they are one.
 std::string problem_of(std::span<const char> bytes) {
   if (!std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return "is no vocabulary";
   const Header header(bytes);
@@ -101,7 +99,8 @@ std::string problem_of(std::span<const char> bytes) {
   return {};
 }
 
-/// The nodes that the header announces. The number of words was checked by the file's size alone.
+/// Returns the nodes that the header describes. The number of words has only been checked against
+/// the size of the file.
 std::vector<VocabularyNode> nodes_of(std::span<const char> bytes, const Header& header) {
   std::vector<VocabularyNode> nodes;
   nodes.reserve(header.nodes - 1);
@@ -172,7 +171,7 @@ Vocabulary vocabulary_from_bytes(std::span<const char> bytes, const std::filesys
 
 Vocabulary read_vocabulary(const std::filesystem::path& file) {
   const std::string bytes = read_file(file);
-  // A text begins with a number, our own format and those of others do not.
+  // The text format begins with a number; the binary format and other files do not.
   const bool is_text = !bytes.empty() && bytes.find_first_not_of(" \t\r\n0123456789") != 0;
   return is_text ? vocabulary_from_text(bytes, file) : vocabulary_from_bytes(bytes, file);
 }

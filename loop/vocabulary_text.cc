@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/vocabulary_text.h"
-
 #include <array>
 #include <charconv>
 #include <iterator>
@@ -12,19 +10,20 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 
 namespace cvo_slam {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-/// The numbers of a text, line by line.
+/// Reads the numbers of a text, line by line.
 class LineReader {
  public:
   LineReader(std::string_view text, const std::filesystem::path& name)
       : at_(text.data()), end_(text.data() + text.size()), name_(name) {}
 
-  /// Goes to the next line that is not blank; false where there is none.
+  /// Goes to the next line that is not blank. Returns false if there is none.
   bool next_line() {
     for (++line_; at_ != end_ && (is_blank(*at_) || *at_ == '\n'); ++at_) {
       if (*at_ == '\n') ++line_;
@@ -43,7 +42,7 @@ class LineReader {
     return value;
   }
 
-  /// An integer in [min, max].
+  /// Reads an integer in [min, max].
   std::uint32_t integer(const char* what, std::uint32_t min, std::uint32_t max) {
     const auto value = number<std::uint32_t>(what);
     if (value < min || value > max) {

@@ -1,25 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/loop/vocabulary_training.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/loop/k_majority_internal.h"
+#include "cvo_slam/loop/vocabulary.h"
 
 namespace cvo_slam {
 namespace {
 
-/// A node whose children are not yet made, and where its descriptors lie.
+/// A node without children so far, and the range of its descriptors.
 struct OpenNode {
   std::uint32_t index = 0;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Grows the tree level by level. The descriptors are kept sorted by node.
+/// Builds the tree level by level. The descriptors are kept sorted by node.
 class Grower {
  public:
   Grower(std::vector<Descriptor> descriptors, const TrainingOptions& options,
@@ -82,7 +81,7 @@ std::vector<Descriptor> all_of(std::span<const std::vector<Descriptor>> images) 
   return all;
 }
 
-/// In how many images each word occurs.
+/// Returns the number of images in which each word occurs.
 std::vector<std::uint32_t> count_images(const Vocabulary& vocabulary,
                                         std::span<const std::vector<Descriptor>> images) {
   std::vector<std::uint32_t> counts(vocabulary.words());
@@ -98,8 +97,8 @@ std::vector<std::uint32_t> count_images(const Vocabulary& vocabulary,
   return counts;
 }
 
-/// idf: log(images / images with the word). A word that no descriptor descends to, because the
-/// search is greedy, counts as one of a single image.
+/// Sets the idf of each word: log(images / images with the word). A word that no descriptor
+/// reaches, because the search is greedy, counts as a word of a single image.
 void set_weights(std::vector<VocabularyNode>& nodes, const std::vector<std::uint32_t>& counts,
                  std::size_t images) {
   std::size_t word = 0;
@@ -115,13 +114,13 @@ void set_weights(std::vector<VocabularyNode>& nodes, const std::vector<std::uint
 OptionSet describe(TrainingOptions& o) {
   return OptionSet()
       .add("branching", o.branching, {2, Vocabulary::kMaxBranching}, "",
-           "Children of a node. With 5 levels 9 make 59,049 words in a file of 2.4 MB.")
+           "Children of a node. 9 children and 5 levels make 59,049 words and a file of 2.4 MB.")
       .add("levels", o.levels, {1, 8}, "",
-           "Steps from the root to a word. A deeper tree has finer words, which tell more places "
-           "apart and are met again less often.")
+           "Steps from the root to a word. Words of a deeper tree distinguish more places and are "
+           "recognised less often.")
       .add("iterations", o.iterations, {1, 1000}, "",
-           "Most rounds of a node's clustering, most of which end earlier.")
-      .add("seed", o.seed, {0, 1000000000}, "", "Of the clusters' first centres.");
+           "Most iterations of the clustering of a node; it usually ends earlier.")
+      .add("seed", o.seed, {0, 1000000000}, "", "Seed of the first centres of the clusters.");
 }
 
 Vocabulary train_vocabulary(std::span<const std::vector<Descriptor>> images,

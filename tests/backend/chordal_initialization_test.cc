@@ -9,7 +9,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Measurements without noise between random poses, from poses that say nothing.
+/// Measurements without noise between random poses; the poses of the nodes are arbitrary.
 PoseGraph exact_graph(const std::vector<SE3>& truth) {
   std::mt19937 rng(4);
   PoseGraph graph;
@@ -41,12 +41,12 @@ TEST(ChordalInitialization, IsExactWithoutNoise) {
   }
 }
 
-TEST(ChordalInitialization, HoldsFixedNodesAndTheFirstOfEachOtherPart) {
+TEST(ChordalInitialization, HoldsFixedNodesAndTheFirstOfEachOtherComponent) {
   const std::vector<SE3> truth = random_poses(10);
   PoseGraph graph = exact_graph(truth);
   graph.set_pose(6, truth[6]);
   graph.set_fixed(6, true);
-  graph.set_pose(0, SE3());  // no longer held: the fixed one says where the part is
+  graph.set_pose(0, SE3());  // no longer held: the component has a fixed node
   graph.add_node({20, truth[1]});
   graph.add_node({21, SE3()});
   graph.add_edge({20, 21, truth[2]});
@@ -58,7 +58,7 @@ TEST(ChordalInitialization, HoldsFixedNodesAndTheFirstOfEachOtherPart) {
   EXPECT_LT(((*poses)[11].matrix() - (truth[1] * truth[2]).matrix()).norm(), 1e-12);
 }
 
-TEST(ChordalInitialization, IsEmptyWhereNothingSaysWhereANodeIs) {
+TEST(ChordalInitialization, IsEmptyIfANodeIsNotDetermined) {
   PoseGraph graph;
   graph.add_node({0, SE3()});
   graph.add_node({1, SE3()});

@@ -8,17 +8,18 @@
 namespace cvo_slam {
 namespace {
 
-TEST(Gnc, WeightsGrowFromAllAlikeToAllOrNothing) {
+TEST(Gnc, WeightsGrowFromEqualToZeroOrOne) {
   constexpr double kC2 = 16;
-  // Nearly convex: even the largest error, of which mu is made, keeps a weight, and half of it
-  // (a quarter squared) no more than five times that. The formula gives 4.4.
+  // Nearly convex: even the largest error, from which mu follows, keeps a weight, and half of that
+  // error (a quarter of its square) has a weight that is at most five times larger. The formula
+  // gives 4.4.
   const double mu_first = kC2 / (2 * 1e4 - kC2);
   EXPECT_GT(gnc_weight(1e4, kC2, mu_first), 0);
   EXPECT_NEAR(gnc_weight(1e4 / 4, kC2, mu_first) / gnc_weight(1e4, kC2, mu_first), 4.4, 0.1);
-  // Nearly the truncated loss itself.
+  // Large mu: nearly the truncated loss itself.
   EXPECT_EQ(gnc_weight(kC2 * 0.99, kC2, 1e3), 1);
   EXPECT_EQ(gnc_weight(kC2 * 1.01, kC2, 1e3), 0);
-  // Continuous where its pieces meet.
+  // The weight is continuous where its pieces meet.
   for (const double mu : {0.01, 1.0, 50.0}) {
     EXPECT_NEAR(gnc_weight(mu / (mu + 1) * kC2 * (1 + 1e-9), kC2, mu), 1, 1e-6);
     EXPECT_NEAR(gnc_weight((mu + 1) / mu * kC2 * (1 - 1e-9), kC2, mu), 0, 1e-6);
@@ -27,7 +28,7 @@ TEST(Gnc, WeightsGrowFromAllAlikeToAllOrNothing) {
 
 class FalseLoops : public testing::TestWithParam<double> {};
 
-/// The measure: the error of the poses stays within 10 % of that without false loops.
+/// The error of the poses stays within 10 % of that without false loops.
 TEST_P(FalseLoops, DoNotMoveThePoses) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     SampleGraph clean = make_rounds(60, seed);
@@ -41,7 +42,7 @@ TEST_P(FalseLoops, DoNotMoveThePoses) {
     for (std::size_t i = genuine; i < spoilt.edges().size(); ++i) {
       EXPECT_EQ(summary.weights[i], 0) << "false loop " << i - genuine << ", seed " << seed;
     }
-    // Of 120 genuine loops one in a hundred lies outside of 99 %: four are three sigma.
+    // One in a hundred of the 120 genuine loops lies outside of 99 %: four are three sigma.
     EXPECT_LE(summary.rejected_edges() - (spoilt.edges().size() - genuine), 4);
   }
 }

@@ -45,8 +45,8 @@ TEST(Optimizer, FixedNodesStay) {
   EXPECT_NE(sample.graph.nodes()[0].T_world_node.matrix(), first.matrix());
 }
 
-/// The same as two graphs of their own; the first node of each part is held.
-TEST(Optimizer, PartsAreOptimisedForThemselves) {
+/// Two components give the same poses as two separate graphs; the first node of each is held.
+TEST(Optimizer, ComponentsAreOptimisedSeparately) {
   SampleGraph alone = make_rounds(10, 3);
   PoseGraph both = alone.graph;
   const SE3 elsewhere(so3_exp({0.3, 0, 1}), {100, 0, 0});
@@ -58,7 +58,7 @@ TEST(Optimizer, PartsAreOptimisedForThemselves) {
     edge.to += 1000;
     both.add_edge(edge);
   }
-  both.add_node({5000, elsewhere});  // a part of its own
+  both.add_node({5000, elsewhere});  // a component of its own
   EXPECT_TRUE(optimize(both).converged);
   optimize(alone.graph);
   const std::size_t count = alone.graph.nodes().size();
@@ -93,12 +93,12 @@ TEST(Optimizer, SaysWhenTheLimitOfIterationsEndsIt) {
 TEST(Optimizer, OptionsOutOfRangeAreErrors) {
   PoseGraph graph;
   EXPECT_THROW(optimize(graph, {.loss_scale = 0}), OptionError);
-  EXPECT_THROW(optimize(graph, {.threads = 0}), OptionError);
+  EXPECT_THROW(optimize(graph, {.max_iterations = 0}), OptionError);
   EXPECT_THROW(optimize(graph, {.cost_tolerance = std::numeric_limits<double>::quiet_NaN()}),
                OptionError);
 }
 
-/// Information that says nothing of rotations: positions are found, rotations stay, no failure.
+/// Information without rotations: positions are found and rotations stay.
 TEST(Optimizer, SemiDefiniteInformationIsEnough) {
   Matrix6 positions_only = Matrix6::Zero();
   positions_only.topLeftCorner<3, 3>().setIdentity();
@@ -128,7 +128,7 @@ double position_under(RobustLoss loss) {
 TEST(Optimizer, LossesAreForRobustEdges) {
   EXPECT_NEAR(position_under(RobustLoss::kNone), 5, 1e-5);
   EXPECT_NEAR(position_under(RobustLoss::kHuber), 1, 1e-5);  // x = c, the pull of the other
-  // x (1 + (10 - x)^2) = 10 - x, the least of its roots.
+  // The least root of x (1 + (10 - x)^2) = 10 - x.
   const double x = position_under(RobustLoss::kCauchy);
   EXPECT_NEAR(x * (1 + (10 - x) * (10 - x)), 10 - x, 1e-4);
   EXPECT_LT(x, 1);

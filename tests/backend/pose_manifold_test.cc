@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/backend/between_factor_internal.h"
-#include "cvo_slam/backend/pose_manifold_internal.h"
 #include "cvo_slam/bench/graph_samples.h"
 
 namespace cvo_slam {

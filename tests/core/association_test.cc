@@ -17,7 +17,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A pose on the x axis that says its time in seconds by its position.
+/// Returns a pose on the x axis at a position that equals its time in seconds.
 StampedPose at(std::int64_t ms) {
   return {milliseconds(ms), SE3(Matrix3::Identity(), {static_cast<double>(ms) / 1000, 0, 0})};
 }
@@ -28,7 +28,7 @@ std::vector<StampedPose> at(std::initializer_list<std::int64_t> times) {
   return poses;
 }
 
-/// The times [ms] of the reference poses that were found.
+/// Returns the times [ms] of the matched reference poses.
 std::vector<long> found(const std::vector<MatchedPose>& matches) {
   std::vector<long> times;
   for (const auto& match : matches) {
@@ -63,7 +63,7 @@ TEST(Associate, TwoPosesMayShareAPartnerAsInEvo) {
 }
 
 TEST(Associate, GoesThroughTheShorterTrajectory) {
-  // The reference has fewer poses: each of its poses picks one of the estimate's.
+  // The reference has fewer poses, so that each of its poses takes one of the estimate.
   const auto matches = associate(at({0, 50}), at({1, 2, 49, 50, 51}));
   EXPECT_THAT(found(matches), ElementsAre(0, 50));
   EXPECT_THAT(stamps(matches), ElementsAre(1, 50));

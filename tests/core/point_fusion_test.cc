@@ -28,7 +28,7 @@ RgbdFrame wall(std::uint16_t depth, const cv::Vec3b& bgr = {10, 20, 30}) {
   return frame;
 }
 
-/// As posed by the sequence's own pose.
+/// Returns all pixels of a frame with a pose.
 PosedFrame posed(const RgbdFrame& frame, const SE3& T_world_camera = {}, int step = 1) {
   return {sample_frame(frame, step), T_world_camera};
 }
@@ -97,6 +97,27 @@ TEST(FusePoints, AVoxelIsAMeanThatTrustsTheNearerViewMore) {
   ASSERT_NE(center, points.end());
   EXPECT_NEAR(center->color[0], 255.0 / 65, 2);
   EXPECT_NEAR(center->position.z(), 2, 1e-5);
+}
+
+/// With a sensor whose noise does not grow with depth, both views of the test above count alike.
+TEST(FusePoints, WeightsAreThoseOfTheNoiseModel) {
+  const std::vector<PosedFrame> frames = {
+      posed(wall(1000, {0, 0, 0}), SE3(Matrix3::Identity(), {0, 0, 1})),
+      posed(wall(2000, {255, 255, 255}))};
+  FusionOptions options = fine_voxels();
+  options.voxel_size = 0.2;
+  for (const SensorNoise& noise : {SensorNoise{.depth_floor = 0.1}, SensorNoise{0, 0, 0}}) {
+    Camera camera = test_camera();
+    camera.noise = noise;
+    const auto points = fuse_points(frames, camera, options);
+    const auto center = std::find_if(points.begin(), points.end(), [](const MapPoint& point) {
+      const Eigen::Vector3f& p = point.position;
+      return p.x() > 0 && p.x() < 0.2F && p.y() > 0 && p.y() < 0.2F;
+    });
+    ASSERT_NE(center, points.end());
+    // 20 x 20 black pixels and 10 x 10 white ones: a fifth of 255.
+    EXPECT_NEAR(center->color[0], 51, 2);
+  }
 }
 
 TEST(FusePoints, RimsAndWhatIsFarOrMissingLeaveNoPoint) {

@@ -17,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 using Pair = std::pair<std::size_t, std::size_t>;
 
-/// The estimate that `similarity` takes back to `poses`.
+/// Returns the estimate that `similarity` maps to `poses`.
 std::vector<StampedPose> inverse_transformed(const Similarity& similarity,
                                              const std::vector<StampedPose>& poses) {
   const SE3 back = similarity.T_reference_estimate.inverse();
@@ -49,7 +49,7 @@ TEST(Alignment, RecoversMotionAndScale) {
   expect_near(align_positions(matches, Alignment::kSim3), kMovedAndScaled);
 }
 
-TEST(Alignment, OfAMirrorImageIsARotationStill) {
+TEST(Alignment, OfAMirrorImageIsStillARotation) {
   const auto truth = helix(40);
   auto estimate = truth;
   for (auto& pose : estimate) {

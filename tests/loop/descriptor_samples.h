@@ -17,7 +17,7 @@ class DescriptorSource {
 
   Descriptor random() { return {{engine_(), engine_(), engine_(), engine_()}}; }
 
-  /// With so many bits flipped, some perhaps twice.
+  /// Returns a copy with up to this many bits flipped; a bit may be flipped twice.
   Descriptor near(Descriptor descriptor, int flips) {
     for (int i = 0; i < flips; ++i) {
       const std::uint64_t bit = engine_() % Descriptor::kBits;

@@ -40,11 +40,11 @@ TEST_F(FeatureMatching, NearestBothWaysMatch) {
               ElementsAre(FeatureMatch{0, 1}, FeatureMatch{2, 0}));
 }
 
-TEST_F(FeatureMatching, ASecondOneThatIsAlikeMakesItDoubtful) {
+TEST_F(FeatureMatching, ASecondSimilarFeatureMakesAMatchAmbiguous) {
   const OrbFeatures a = features_of({kinds_[0]});
   const OrbFeatures b = features_of({source_.near(kinds_[0], 10), source_.near(kinds_[0], 10)});
   EXPECT_THAT(match_by_nodes(a, in_one_node(1), b, in_one_node(2), options_), IsEmpty());
-  // And in the other direction.
+  // The other direction.
   EXPECT_THAT(match_by_nodes(b, in_one_node(2), a, in_one_node(1), options_), IsEmpty());
 }
 
@@ -59,7 +59,7 @@ TEST_F(FeatureMatching, OnlyFeaturesOfOneNodeAreCompared) {
 TEST_F(FeatureMatching, TheCommonRotationIsKept) {
   OrbFeatures a = features_of(source_.random(8));
   OrbFeatures b = a;
-  // Six turn by about -0.1 rad, across the seam of the circle; two otherwise.
+  // Six features rotate by about -0.1 rad, across the zero of the angle; two rotate otherwise.
   const std::vector<float> turns = {-0.05F, -0.1F, -0.1F, -0.15F, 0.1F, -0.2F, 1.5F, 3.1F};
   std::vector<FeatureMatch> matches;
   for (std::uint32_t i = 0; i < 8; ++i) {
@@ -85,7 +85,7 @@ TEST_F(FeatureMatching, AKnownPoseLimitsTheSearch) {
   const ProjectionMatches found = match_by_projection(a, b, SE3(), camera, options_);
   EXPECT_EQ(found.visible.size(), 2U);
   EXPECT_THAT(found.matches, ElementsAre(FeatureMatch{0, 2}, FeatureMatch{1, 0}));
-  // Moved half a metre to the right, nothing is where the pose says.
+  // With the camera half a metre to the right, no feature is near its projection.
   const SE3 aside(Matrix3::Identity(), {0.5, 0, 0});
   EXPECT_THAT(match_by_projection(a, b, aside, camera, options_).matches, IsEmpty());
 }

@@ -11,7 +11,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Bit by bit, as the definition says.
+/// Returns the distance by its definition, bit by bit.
 int counted_distance(const Descriptor& a, const Descriptor& b) {
   int distance = 0;
   for (std::size_t i = 0; i < Descriptor::kBits; ++i) distance += a.bit(i) != b.bit(i) ? 1 : 0;

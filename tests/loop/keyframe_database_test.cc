@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::Field;
 using testing::IsEmpty;
 
-/// Every fourth word or so, with weights that sum to 1.
+/// Returns a bag of about every fourth word, with weights that sum to 1.
 BagOfWords random_bag(std::mt19937& engine, WordId words) {
   BagOfWords bag;
   float total = 0;
@@ -50,7 +50,7 @@ TEST(KeyframeDatabase, ScoresAreThoseOfTheBags) {
   }
 }
 
-TEST(KeyframeDatabase, OnlyThoseThatShareWordsAnswer) {
+TEST(KeyframeDatabase, OnlyKeyframesThatShareWordsAreFound) {
   KeyframeDatabase database(10);
   database.add({{1, 0.5F}, {2, 0.5F}});
   database.add({});  // an image without features
@@ -86,7 +86,7 @@ TEST(CandidateGroups, NeighboursMakeAGroup) {
   EXPECT_EQ(groups[0].last, 7U);
   EXPECT_EQ(groups[0].best.keyframe, 4U);
   EXPECT_NEAR(groups[0].total_score, 0.6, 1e-12);
-  // Of equal ones the earlier comes first.
+  // The earlier of two equal groups comes first.
   EXPECT_EQ(groups[1].best.keyframe, 20U);
   EXPECT_EQ(groups[2].best.keyframe, 90U);
   EXPECT_THAT(group_candidates({}, 3), IsEmpty());

@@ -18,9 +18,9 @@ namespace {
 using testing::HasSubstr;
 
 const SE3 kTruth = SE3::exp((Vector6() << 0.1, -0.05, 0.1, 0.05, -0.1, 0.1).finished());
-const PinholeCamera kCamera;
+const Camera kCamera;
 
-/// Two images with `common` features of the same points and `others` of their own.
+/// Two images with `common` features of the same points and `others` that only one of them has.
 struct Views {
   Views(int common, int others, const SE3& T_a_b = kTruth, unsigned seed = 1) {
     PairSource pairs(kCamera, T_a_b, seed);
@@ -62,7 +62,7 @@ TEST(LoopVerifier, FindsThePoseOfACommonPlace) {
   EXPECT_GE(result.matches, 190U);
   EXPECT_GE(result.inliers, 190U);
   EXPECT_EQ(result.pixels.size(), result.inliers);
-  // Half of what should be seen is.
+  // Half of the features that should be visible are inliers.
   EXPECT_NEAR(result.visible_share, 0.5, 0.06);
   EXPECT_GT(result.coverage, 0.8);
 }
@@ -85,7 +85,7 @@ TEST(LoopVerifier, UnrelatedImagesAreRejectedWithAReason) {
 
 TEST(LoopVerifier, MatchesWithoutACommonPoseAreRejected) {
   Views views(100, 100);
-  // The points of b change places, and so agree with no pose.
+  // The points of b are permuted, so that they agree with no pose.
   auto& points = views.b.features.points;
   std::rotate(points.begin(), points.begin() + 17, points.begin() + 100);
   const Verification result = LoopVerifier(kCamera).verify(views.a, views.b);
@@ -100,7 +100,7 @@ TEST(LoopVerifier, FewCommonFeaturesAmongManyAreRejected) {
   EXPECT_THAT(result.reason, HasSubstr("of the features that both should see match"));
 }
 
-/// The same poster in another room: everything on it agrees with one pose, nothing else does.
+/// A poster that hangs in two rooms: its features agree with one pose, no other feature does.
 TEST(LoopVerifier, ACommonObjectIsNoCommonPlace) {
   Views views(600, 100);
   for (std::size_t i = 0; i < 600; ++i) {
@@ -134,7 +134,8 @@ TEST(LoopVerifier, DepthOnOneSideIsEnough) {
   Views views(200, 100);
   for (OrbFeature& point : views.b.features.points) point.depth = 0;
   const Verification result = LoopVerifier(kCamera).verify(views.a, views.b);
-  // No feature of b can be looked for in a; what is visible there stays unknown.
+  // Features of b without depth cannot be projected into a, so that its visible features are
+  // unknown.
   EXPECT_GE(result.inliers, 180U);
   EXPECT_LT((kTruth.inverse() * result.T_a_b).translation().norm(), 0.01);
 }
@@ -148,6 +149,30 @@ TEST(LoopVerifier, ImagesWithoutFeaturesMatchNothing) {
     EXPECT_FALSE(result.accepted);
     EXPECT_THAT(result.reason, HasSubstr("0 features match"));
   }
+}
+
+/// The noise of the features comes from the camera: with noise that is twice as large, the same
+/// residuals leave the pose twice as uncertain.
+TEST(LoopVerifier, TheNoiseIsThatOfTheCamera) {
+  Camera noisy = kCamera;
+  noisy.noise.pixel *= 2;
+  noisy.noise.depth_floor *= 2;
+  noisy.noise.depth_quadratic *= 2;
+  const Views views(200, 0);
+  const Verification exact = LoopVerifier(kCamera).verify(views.a, views.b);
+  const Verification coarse = LoopVerifier(noisy).verify(views.a, views.b);
+  ASSERT_TRUE(exact.accepted) << exact.reason;
+  // A quarter, apart from the few inliers and weights that differ.
+  EXPECT_NEAR(coarse.information.trace() / exact.information.trace(), 0.25, 0.05);
+}
+
+TEST(LoopVerifier, ACameraWithoutNoiseIsPossible) {
+  Camera ideal = kCamera;
+  ideal.noise = {.depth_floor = 0, .depth_quadratic = 0, .pixel = 0};
+  const Views views(200, 0);
+  const Verification result = LoopVerifier(ideal).verify(views.a, views.b);
+  EXPECT_TRUE(result.T_a_b.matrix().allFinite());
+  EXPECT_TRUE(result.information.allFinite());
 }
 
 TEST(LoopVerifier, BadOptionsAreRefused) {

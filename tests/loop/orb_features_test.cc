@@ -18,7 +18,7 @@ namespace {
 const Camera kCamera = Poster::camera();
 const RgbdFrame kFrame = Poster(1).frame(0, 100, 100);
 
-/// How many cells of a grid have a feature.
+/// Returns the number of cells of a grid that have a feature.
 std::size_t covered_cells(const OrbFeatures& features, int columns, int rows) {
   std::set<std::pair<int, int>> cells;
   for (const OrbFeature& point : features.points) {
@@ -48,8 +48,8 @@ TEST(OrbFeatures, SameImageGivesTheSame) {
   EXPECT_EQ(first.descriptors, second.descriptors);
 }
 
-/// OpenCV alone keeps the corners with the strongest response: where one half of an image has more
-/// contrast, all of them are there.
+/// OpenCV alone keeps the corners with the strongest response: if one half of an image has more
+/// contrast, all corners are in that half.
 TEST(OrbFeatures, AreSpreadOverTheImage) {
   RgbdFrame frame = kFrame;
   frame.color = kFrame.color.clone();
@@ -63,8 +63,8 @@ TEST(OrbFeatures, AreSpreadOverTheImage) {
   EXPECT_GE(covered_cells(features, 8, 6), 28U);
 }
 
-/// A plain wall beside a poster: the threshold for corners drops where nothing is above it.
-TEST(OrbFeatures, WeakCornersCountWhereThereAreNoOthers) {
+/// A plain wall beside a poster: the threshold for corners is lower in cells without corners.
+TEST(OrbFeatures, WeakCornersAreTakenInEmptyCells) {
   RgbdFrame frame = kFrame;
   frame.color = kFrame.color.clone();
   cv::Mat right = frame.color(cv::Rect(160, 0, 160, 240));
@@ -85,7 +85,7 @@ TEST(OrbFeatures, WeakCornersCountWhereThereAreNoOthers) {
 TEST(OrbFeatures, DepthIsUnknownAtEdgesAndHoles) {
   RgbdFrame frame = kFrame;
   frame.depth = kFrame.depth.clone();
-  // Stripes of 20 pixels, near and far in turn; on the right nothing.
+  // Alternating near and far stripes of 20 pixels; no depth on the right.
   for (int u = 0; u < 320; u += 40) {
     frame.depth(cv::Rect(u, 0, 20, 240)).setTo(2 * kCamera.depth_scale);
   }
@@ -104,7 +104,7 @@ TEST(OrbFeatures, DepthIsUnknownAtEdgesAndHoles) {
   EXPECT_GT(at_edges, 0);
 }
 
-TEST(OrbFeatures, AnImageOfNoUseHasNone) {
+TEST(OrbFeatures, AnUnusableImageHasNone) {
   RgbdFrame frame = kFrame;
   frame.color = cv::Mat();
   EXPECT_TRUE(extract_orb(frame, kCamera).empty());
@@ -127,7 +127,7 @@ TEST(OrbFeatures, WithoutADepthImageNoneHasADepth) {
   }
 }
 
-TEST(OrbFeatures, GreyImagesWillDo) {
+TEST(OrbFeatures, GreyImagesAreAccepted) {
   RgbdFrame frame = kFrame;
   cv::cvtColor(kFrame.color, frame.color, cv::COLOR_BGR2GRAY);
   EXPECT_EQ(extract_orb(frame, kCamera).descriptors, extract_orb(kFrame, kCamera).descriptors);

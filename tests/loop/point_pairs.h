@@ -8,26 +8,26 @@
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
-#include "cvo_slam/loop/pair_model_internal.h"
+#include "cvo_slam/loop/pose_search_internal.h"
 
 namespace cvo_slam {
 
 /// Points that two cameras see, with noise, from seeded random numbers.
 class PairSource {
  public:
-  PairSource(const PinholeCamera& camera, const SE3& T_a_b, unsigned seed)
-      : camera_(camera), T_a_b_(T_a_b), engine_(seed) {}
+  PairSource(const Camera& camera, const SE3& T_a_b, unsigned seed)
+      : camera_(camera.color), T_a_b_(T_a_b), engine_(seed) {}
 
   double uniform(double min, double max) {
     return min + (max - min) * static_cast<double>(engine_()) / 4294967296.0;
   }
-  /// Box and Muller's.
+  /// Returns a normally distributed number (Box and Muller).
   double normal() {
     return std::sqrt(-2 * std::log(uniform(1e-9, 1))) * std::cos(uniform(0, 2 * std::numbers::pi));
   }
 
-  /// A point seen by both, `pixels` and `depth` (of a metre, growing with the square) the standard
-  /// deviations.
+  /// Returns a point seen by both cameras. `pixels` and `depth` (at up to a metre; it grows with
+  /// the square of the depth) are the standard deviations.
   PointPair inlier(double pixels, double depth) {
     while (true) {
       const double z = uniform(0.8, 3);

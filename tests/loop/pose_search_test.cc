@@ -10,10 +10,10 @@ namespace cvo_slam {
 namespace {
 
 const SE3 kTruth = SE3::exp((Vector6() << 0.2, -0.1, 0.15, 0.1, -0.25, 0.3).finished());
-const PinholeCamera kCamera;
-const VerificationOptions kOptions;
+const Camera kCamera;
+constexpr double kMaxReprojection = 3;  // [px]
 
-/// What is left of the depths.
+/// Which features of the pairs have a depth.
 enum class Depths { kBoth, kOnlyA, kOnlyB, kMixed };
 
 std::vector<PointPair> make_pairs(int inliers, int outliers, Depths depths, unsigned seed) {
@@ -32,7 +32,7 @@ std::vector<PointPair> make_pairs(int inliers, int outliers, Depths depths, unsi
 class PoseSearch : public testing::TestWithParam<Depths> {};
 
 TEST_P(PoseSearch, FindsThePoseAmongAsManyOutliers) {
-  const PairModel model(kCamera, kOptions);
+  const PairModel model(kCamera, kMaxReprojection);
   for (unsigned seed = 0; seed < 10; ++seed) {
     const auto pairs = make_pairs(60, 60, GetParam(), seed);
     const auto pose = search_pose(pairs, model, 500, Random({seed}));
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Depths, PoseSearch,
                                          Depths::kMixed));
 
 TEST(PoseSearchInput, TheSameSeedGivesTheSamePose) {
-  const PairModel model(kCamera, kOptions);
+  const PairModel model(kCamera, kMaxReprojection);
   const auto pairs = make_pairs(30, 30, Depths::kBoth, 3);
   const auto first = search_pose(pairs, model, 200, Random({7}));
   const auto second = search_pose(pairs, model, 200, Random({7}));
@@ -57,23 +57,23 @@ TEST(PoseSearchInput, TheSameSeedGivesTheSamePose) {
 }
 
 TEST(PoseSearchInput, TooFewOrDegeneratePairsGiveNone) {
-  const PairModel model(kCamera, kOptions);
+  const PairModel model(kCamera, kMaxReprojection);
   EXPECT_FALSE(search_pose({}, model, 100, Random({1})));
   EXPECT_FALSE(search_pose(make_pairs(2, 0, Depths::kBoth, 1), model, 100, Random({1})));
-  // One point many times over.
+  // The same pair many times.
   const std::vector<PointPair> same(20, make_pairs(1, 0, Depths::kBoth, 1)[0]);
   EXPECT_FALSE(search_pose(same, model, 100, Random({1})));
 }
 
 TEST(PairModel, ErrorIsOneAtItsLimits) {
-  const PairModel model(kCamera, kOptions);
+  const PairModel model(kCamera, kMaxReprojection);
   PairSource source(kCamera, SE3(), 1);
   PointPair pair = source.inlier(0, 0);
   EXPECT_NEAR(model.error(SE3(), SE3(), pair), 0, 1e-6);
   PointPair moved = pair;
-  moved.b.x += static_cast<float>(kOptions.max_reprojection / kCamera.fx);
+  moved.b.x += static_cast<float>(kMaxReprojection / kCamera.color.fx);
   EXPECT_NEAR(model.error(SE3(), SE3(), moved), 1, 1e-3);
-  // A corner of a coarse level is known less well.
+  // The position of a corner of a coarse level is less certain.
   moved.a.size = moved.b.size = 2;
   EXPECT_NEAR(model.error(SE3(), SE3(), moved), 0.25, 1e-3);
   PointPair farther = pair;
@@ -85,22 +85,20 @@ TEST(PairModel, ErrorIsOneAtItsLimits) {
 
 /// The information is that of the errors: their squared Mahalanobis norm (NEES) averages to 6.
 TEST(PairModel, InformationIsThatOfTheErrors) {
-  VerificationOptions options;
-  options.pixel_noise = 1;
-  options.depth_noise = 0.003;
-  const PairModel model(kCamera, options);
+  const PairModel model(kCamera, kMaxReprojection);
   double sum = 0;
   constexpr int kTrials = 100;
   for (unsigned trial = 0; trial < kTrials; ++trial) {
     PairSource source(kCamera, kTruth, 100 + trial);
     std::vector<PointPair> pairs;
-    for (int i = 0; i < 80; ++i) pairs.push_back(source.inlier(options.pixel_noise, 0.003));
+    for (int i = 0; i < 80; ++i)
+      pairs.push_back(source.inlier(kCamera.noise.pixel, kCamera.noise.depth_floor));
     const PoseEstimate estimate = model.refine(kTruth, pairs);
     const Vector6 error = (kTruth.inverse() * estimate.T_a_b).log();
     sum += error.dot(estimate.information * error);
   }
-  // Noise of both pixels is in each residual, and so is that of depth across the line of sight, of
-  // which the model knows nothing: it is twice as sure as it may be.
+  // Each residual contains the noise of both pixels, and that of depth across the line of sight,
+  // which the model does not include: its information is about twice too large.
   const double nees = sum / kTrials / 6;
   EXPECT_GT(nees, 0.5);
   EXPECT_LT(nees, 3);

@@ -41,7 +41,7 @@ class Poster {
     return camera;
   }
 
-  /// What the camera sees whose upper left pixel lies at (x, y) of the picture.
+  /// Returns the view of a camera whose upper left pixel is at (x, y) of the picture.
   [[nodiscard]] RgbdFrame frame(std::size_t index, int x, int y) const {
     RgbdFrame frame;
     frame.index = index;
@@ -50,7 +50,7 @@ class Poster {
     return frame;
   }
 
-  /// How far the camera moves when the window does by so many pixels [m].
+  /// Returns the motion of the camera [m] that moves the window by this many pixels.
   static double metres(int pixels) { return pixels * kDistance / camera().color.fx; }
 
  private:

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 class VocabularyFile : public testing::Test {
  protected:
-  /// What reading these bytes complains about.
+  /// Returns the error message of reading these bytes.
   [[nodiscard]] std::string problem_of(const std::string& bytes) const {
     const auto file = folder_.write("words.voc", bytes);
     try {

@@ -13,14 +13,14 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The descriptor whose first bits are all set, the others not.
+/// Returns a descriptor with only its first bits set.
 Descriptor first_bits(std::size_t count) {
   Descriptor descriptor;
   for (std::size_t i = 0; i < count; ++i) descriptor.words[i / 64] |= std::uint64_t{1} << (i % 64);
   return descriptor;
 }
 
-/// Two branches; the first ends at once, the second has two words. Children come late.
+/// Two branches: the first is a word, the second has two words. Children are listed last.
 std::vector<VocabularyNode> small_tree() {
   return {{0, false, first_bits(200), 0},
           {0, true, first_bits(0), 1},
@@ -41,7 +41,7 @@ TEST(Vocabulary, WordsAreFoundFromTheRootOn) {
   const Vocabulary vocabulary(2, 2, small_tree());
   EXPECT_EQ(vocabulary.nodes(), 5);
   EXPECT_EQ(vocabulary.words(), 3);
-  // Words count breadth first: the early leaf is the first.
+  // Words are numbered breadth first: the leaf nearest to the root is the first.
   EXPECT_EQ(vocabulary.find(first_bits(20), 1).word, 0);
   EXPECT_EQ(vocabulary.find(first_bits(180), 1).word, 1);
   EXPECT_EQ(vocabulary.find(first_bits(230), 1).word, 2);
@@ -55,7 +55,7 @@ TEST(Vocabulary, NodesAreThoseOfTheLevelAskedFor) {
   EXPECT_EQ(vocabulary.find(first_bits(190), 0).node, 0);
   EXPECT_EQ(vocabulary.find(first_bits(190), 1).node, 1);
   EXPECT_EQ(vocabulary.find(first_bits(190), 2).node, 3);
-  // A word above the level counts as its own node.
+  // A word above the level is its own node.
   EXPECT_EQ(vocabulary.find(first_bits(0), 2).node, 2);
 }
 
@@ -64,7 +64,7 @@ TEST(Vocabulary, BagsAreTfIdfAndSumToOne) {
   const std::vector<Descriptor> image = {first_bits(190), first_bits(0), first_bits(1),
                                          first_bits(250), first_bits(2)};
   const ImageWords words = vocabulary.transform(image, 1);
-  // Word 0 three times at weight 1, word 1 once at 2; word 2 has no weight.
+  // Word 0 occurs three times with weight 1, word 1 once with weight 2; word 2 has weight 0.
   EXPECT_EQ(words.bag, (BagOfWords{{0, 0.6F}, {1, 0.4F}}));
   EXPECT_EQ(words.nodes, (std::vector<NodeFeature>{{1, 0}, {1, 3}, {2, 1}, {2, 2}, {2, 4}}));
 }
@@ -74,7 +74,7 @@ TEST(Vocabulary, AnImageWithoutFeaturesHasAnEmptyBag) {
   const ImageWords words = vocabulary.transform({}, 1);
   EXPECT_TRUE(words.bag.empty());
   EXPECT_TRUE(words.nodes.empty());
-  // Nor has one whose only word tells nothing.
+  // The bag is also empty if every image shows the only word.
   EXPECT_TRUE(vocabulary.transform(std::vector<Descriptor>{first_bits(250)}, 1).bag.empty());
 }
 
@@ -86,7 +86,7 @@ TEST(Vocabulary, TreeIsBreadthFirstWhateverTheOrderOfTheNodes) {
   EXPECT_EQ(Vocabulary(2, 2, depth_first).tree(), small_tree());
 }
 
-TEST(Vocabulary, WhatIsNoTreeIsRefused) {
+TEST(Vocabulary, NodesThatAreNoTreeAreRefused) {
   auto nodes = small_tree();
   nodes[1].parent = 2;
   EXPECT_THAT(problem_of(2, 2, nodes), HasSubstr("node 2 comes before its parent 2"));

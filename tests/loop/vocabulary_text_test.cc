@@ -78,7 +78,7 @@ TEST(VocabularyText, MistakesAreReportedWithTheirLine) {
 }
 
 TEST(VocabularyText, TruncationIsFound) {
-  // In the middle of a line, and where a node lacks all its children. The format says no more.
+  // In the middle of a line, and before all children of a node. The format has no other check.
   const std::string text = small_text();
   EXPECT_THAT(problem_of(text.substr(0, text.size() - 20)), HasSubstr("words.txt:4: "));
   EXPECT_THAT(problem_of("10 6 0 0\n" + node_line(0, 0, kZeros, "0")),
@@ -94,7 +94,7 @@ TEST(VocabularyText, ReadsBackWhatWasWritten) {
   EXPECT_THROW(write_vocabulary_text(folder.path() / "no" / "folder.txt", vocabulary), OutputError);
 }
 
-/// A tree as full as that of ORB-SLAM's file: 1.1 million nodes, 150 MB of text.
+/// A tree of the size of ORB-SLAM's file: 1.1 million nodes, 150 MB of text.
 TEST(VocabularyText, TakesAFileOfTheSizeOfOrbSlams) {
   const TemporaryFolder folder;
   const auto text = folder.path() / "words.txt";

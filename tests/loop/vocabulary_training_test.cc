@@ -83,8 +83,8 @@ TEST(VocabularyTraining, SameSeedGivesSameBytesOnAnyNumberOfThreads) {
 TEST(VocabularyTraining, FeaturesOfOneKindShareAWord) {
   const auto images = sample_images(20, 50);
   const Vocabulary vocabulary = train_vocabulary(images, {.branching = 4, .levels = 3});
-  // 64 words for 50 kinds; a greedy search may part some kinds. Unrelated features share a word by
-  // chance in one of 64 cases.
+  // 64 words for 50 kinds; a greedy search may divide some kinds. Unrelated features share a word
+  // by chance in one of 64 cases.
   DescriptorSource source(5);
   const auto centers = source.random(50);
   int shared = 0;

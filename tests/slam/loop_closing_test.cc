@@ -148,7 +148,7 @@ TEST_F(LoopsOfAWalk, AreTheSameAgainWithTwoThreadsAndPipelined) {
       EXPECT_EQ(a[i].reason, b[i].reason);
     }
   };
-  slam_.tracker.threads = slam_.optimizer.threads = 2;
+  slam_.tracker.threads = 2;
   expect_equal(run());
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());

@@ -251,7 +251,7 @@ TEST_F(KidnappedCamera, GivesTheSameAgainWithTwoThreadsAndPipelined) {
       EXPECT_EQ(first.candidates[i].reason, other.candidates[i].reason);
     }
   };
-  slam_.tracker.threads = slam_.optimizer.threads = 2;
+  slam_.tracker.threads = 2;
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());
 }

@@ -142,7 +142,7 @@ TEST_F(SlamOnSyntheticFrames, SameResultAgainWithTwoThreadsAndPipelined) {
     EXPECT_EQ(first.loop_candidates().size(), other.loop_candidates().size());
   };
   expect_equal(run());
-  slam_.tracker.threads = slam_.optimizer.threads = 2;
+  slam_.tracker.threads = 2;
   expect_equal(run());
   slam_.schedule = Schedule::kPipelined;
   expect_equal(run());

@@ -4,21 +4,21 @@
 
 #include <vector>
 
-#include "cvo_slam/backend/optimizer_options.h"
+#include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
 
-/// What a robust edge of squared error s costs, twice: rho(s).
+/// Returns rho(s), twice the cost of a robust edge with the squared error s.
 [[nodiscard]] double robust_loss(double s, const OptimizerOptions& options);
 
-/// rho'(s): the share of its information with which the edge counts there.
+/// Returns rho'(s), the factor by which the loss reduces the edge's information at s.
 [[nodiscard]] double robust_weight(double s, const OptimizerOptions& options);
 
-/// Half the sum over all edges; the loss is for the robust ones.
+/// Returns the cost of the graph: half the sum over all edges, with the loss for robust ones.
 [[nodiscard]] double robust_cost(const PoseGraph& graph, const OptimizerOptions& options);
 
-/// Of each edge; 1 where it is not robust.
+/// Returns robust_weight() of each edge; 1 for edges that are not robust.
 [[nodiscard]] std::vector<double> robust_weights(const PoseGraph& graph,
                                                  const OptimizerOptions& options);
 

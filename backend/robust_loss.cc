@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cvo_slam/backend/robust_cost_internal.h"
+#include "cvo_slam/backend/robust_loss_internal.h"
 #include "cvo_slam/core/pose_graph.h"
 
 namespace cvo_slam {
