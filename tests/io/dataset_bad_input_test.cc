@@ -31,7 +31,9 @@ TEST(OpenDataset, RefusesAFileAndAnUnknownFolder) {
   const auto file = sequence.write("file.txt", "");
   EXPECT_THAT(input_error(sequence.path(), [&] { return open_dataset(file); }),
               HasSubstr("not a folder"));
-  EXPECT_THAT(open_error(sequence), HasSubstr("is no known data set: expected rgb.txt"));
+  EXPECT_THAT(open_error(sequence),
+              HasSubstr("is no known data set; the folder of a sequence holds"));
+  EXPECT_THAT(open_error(sequence), HasSubstr(dataset_formats()));
 }
 
 TEST(OpenDataset, RefusesAnEmptyList) {

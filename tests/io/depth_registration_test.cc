@@ -73,7 +73,7 @@ double tolerance_at(const Plane& plane, const PinholeCamera& camera, int u, int 
   return kQuantisation + 0.65 * pixel_ratio * per_pixel;
 }
 
-/// Expects `plane` all over `registered`, but for a border that the depth camera does not see.
+/// Expects `plane` all over `registered` except for a border that the depth camera does not see.
 void expect_plane(const Camera& camera, const Plane& plane, const cv::Mat& registered, int border) {
   const Plane seen = plane.seen_from(camera.depth->T_color_depth);
   // 2 % more for what distortion and perspective make of a pixel's size.
@@ -98,13 +98,15 @@ constexpr int kBorder = 60;
 TEST(DepthRegistration, KeepsAPlaneAcrossTheView) {
   const Camera camera = kinect();
   const Plane plane{Vector3(0, 0, 1), 2.0};
-  expect_plane(camera, plane, DepthRegistration(camera).to_color(render(camera, plane)), kBorder);
+  expect_plane(camera, plane, DepthRegistration(camera).register_depth(render(camera, plane)),
+               kBorder);
 }
 
 TEST(DepthRegistration, KeepsASlantedPlaneWithoutPinholes) {
   const Camera camera = kinect();
   const Plane plane{Vector3(-0.6, 0.3, 0.742).normalized(), 1.2};
-  expect_plane(camera, plane, DepthRegistration(camera).to_color(render(camera, plane)), kBorder);
+  expect_plane(camera, plane, DepthRegistration(camera).register_depth(render(camera, plane)),
+               kBorder);
 }
 
 TEST(DepthRegistration, ANearObjectHidesWhatIsBehind) {
@@ -112,7 +114,7 @@ TEST(DepthRegistration, ANearObjectHidesWhatIsBehind) {
   const int edge = 320;  // px in the depth image: near on its left, far on its right
   const double near = 1.0;
   const double far = 3.0;
-  const cv::Mat registered = DepthRegistration(camera).to_color(
+  const cv::Mat registered = DepthRegistration(camera).register_depth(
       render(camera, [&](int u, int /*v*/) { return u < edge ? near : far; }));
   const auto edge_in_color = [&](double depth) {
     const Vector3 point = depth * camera.depth->pinhole.unproject({edge - 0.5, 240});
@@ -141,7 +143,7 @@ TEST(DepthRegistration, OverlappingSurfacesGiveTheNearer) {
   // Mirrored: the colour camera on the left, so that the left, near surface slides over the far
   // one.
   camera.depth->T_color_depth = SE3(Matrix3::Identity(), Vector3(0.05, 0, 0));
-  const cv::Mat registered = DepthRegistration(camera).to_color(
+  const cv::Mat registered = DepthRegistration(camera).register_depth(
       render(camera, [](int u, int /*v*/) { return u < 320 ? 1.0 : 3.0; }));
   const Vector3 edge = camera.depth->pinhole.unproject({319, 240});
   const auto pixel = camera.color.project(camera.depth->T_color_depth * edge);
@@ -160,26 +162,28 @@ TEST(DepthRegistration, FillsALargerColourImage) {
   camera.color.cy = 360;
   camera.depth->pinhole.fx = camera.depth->pinhole.fy = 380;
   const Plane plane{Vector3(0, 0.3, 1).normalized(), 1.5};
-  expect_plane(camera, plane, DepthRegistration(camera).to_color(render(camera, plane)), 40);
+  expect_plane(camera, plane, DepthRegistration(camera).register_depth(render(camera, plane)), 40);
 }
 
 TEST(DepthRegistration, AnEmptyImageStaysEmpty) {
   const DepthRegistration registration(kinect());
-  EXPECT_EQ(cv::countNonZero(registration.to_color(cv::Mat::zeros(480, 640, CV_16UC1))), 0);
+  EXPECT_EQ(cv::countNonZero(registration.register_depth(cv::Mat::zeros(480, 640, CV_16UC1))), 0);
 }
 
 TEST(DepthRegistration, DropsWhatIsBehindTheColourCamera) {
   Camera camera = kinect();
   camera.depth->T_color_depth = SE3(Matrix3::Identity(), Vector3(0, 0, -1));
   const cv::Mat half_a_metre(480, 640, CV_16UC1, cv::Scalar(5000));
-  EXPECT_EQ(cv::countNonZero(DepthRegistration(camera).to_color(half_a_metre)), 0);
+  EXPECT_EQ(cv::countNonZero(DepthRegistration(camera).register_depth(half_a_metre)), 0);
 }
 
 TEST(DepthRegistration, RefusesWhatItCannotRegister) {
   EXPECT_THROW(DepthRegistration{Camera()}, OptionError);
   const DepthRegistration registration(kinect());
-  EXPECT_THROW(static_cast<void>(registration.to_color(cv::Mat::zeros(48, 64, CV_16UC1))), Error);
-  EXPECT_THROW(static_cast<void>(registration.to_color(cv::Mat::zeros(480, 640, CV_8UC1))), Error);
+  EXPECT_THROW(static_cast<void>(registration.register_depth(cv::Mat::zeros(48, 64, CV_16UC1))),
+               Error);
+  EXPECT_THROW(static_cast<void>(registration.register_depth(cv::Mat::zeros(480, 640, CV_8UC1))),
+               Error);
 }
 
 TEST(DepthRegistration, ServesTheTumLayoutWithADepthCameraOfAnotherSize) {

@@ -11,7 +11,7 @@
 
 #include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/relative_pose_error.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/tests/test_data.h"
 
 namespace cvo_slam {

@@ -83,7 +83,9 @@ TEST(ReadOptions, NamesTheLineOfAMistake) {
   EXPECT_EQ(read_error("tracker:\n  radius: 1\ntracker.radius: 2\n"),
             "o.yaml:3: option 'tracker.radius' is set twice; remove one");
   EXPECT_EQ(read_error("tracker:\n  radius:\n"), "o.yaml:2: tracker.radius: a value is missing");
-  EXPECT_EQ(read_error("count: [[1]]\n"), "o.yaml:1: count: a list must have plain values");
+  EXPECT_EQ(read_error("count: [[1]]\n"), "o.yaml:1: count: expected a word");
+  EXPECT_EQ(read_error("tracker.inner.scale:\n  - 3\n"),
+            "o.yaml:1: unknown option 'tracker.inner.scale'; did you mean 'tracker.inner.scales'?");
   EXPECT_THAT(read_error("tracker: 5\n"), HasSubstr("o.yaml:1: unknown option 'tracker'"));
   EXPECT_THAT(read_error("just words\n"), HasSubstr("o.yaml:1: expected 'key: value' lines"));
   EXPECT_THAT(read_error("a: b: c\n"), HasSubstr("o.yaml:1: not valid YAML"));

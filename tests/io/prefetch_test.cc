@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/prefetch.h"
-
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "cvo_slam/io/dataset.h"
 
 namespace cvo_slam {
 namespace {
@@ -17,6 +17,7 @@ class NumberedFrames : public Dataset {
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] const std::string& kind() const override { return name_; }
   [[nodiscard]] const Camera& camera() const override { return camera_; }
+  [[nodiscard]] const std::string& camera_origin() const override { return name_; }
   [[nodiscard]] std::size_t size() const override { return 10; }
   [[nodiscard]] RgbdFrame read(std::size_t index) const override {
     if (index == 7) throw std::runtime_error("seven");

@@ -43,6 +43,7 @@ TEST(SevenScenesDataset, TakesItsOwnCameraUnlessToldOtherwise) {
   write_frame(sequence, "000000");
   const auto data = open_dataset(sequence.path());
   EXPECT_EQ(data->camera().name, "7scenes");
+  EXPECT_EQ(data->camera_origin(), "the layout is that of 7-Scenes");
   EXPECT_THAT(data->read(0).problem, HasSubstr("has 8x6 pixels, its camera 640x480"));
 }
 

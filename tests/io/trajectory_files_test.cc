@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
