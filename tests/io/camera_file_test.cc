@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The keys that every camera needs, in seven lines.
+/// The keys that every camera needs; they are seven lines.
 constexpr const char* kGood =
     "width: 640\nheight: 480\nfx: 500\nfy: 501\ncx: 320\ncy: 240\ndepth_scale: 1000\n";
 

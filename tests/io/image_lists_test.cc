@@ -33,7 +33,7 @@ TEST(AssociateStamps, TheClosestPairOfAllGoesFirst) {
               ElementsAre(Pair(1, 0)));
 }
 
-TEST(AssociateStamps, OfEqualDifferencesTheEarlierGoesFirst) {
+TEST(AssociateStamps, TheEarlierOfEqualDifferencesGoesFirst) {
   EXPECT_THAT(associate_stamps(milliseconds({0, 20}), milliseconds({10}), 0.02),
               ElementsAre(Pair(0, 0)));
 }

@@ -30,7 +30,7 @@ struct Settings {
   int count = 3;
 };
 
-/// Options of a nested map stand apart, as they do where describe() of two structs share a prefix.
+/// The options of a nested map are not next to each other, as where two structs share a prefix.
 OptionSet describe(Settings& s) {
   return OptionSet()
       .add("tracker.radius", s.radius, {}, "m", "A radius.\nIn two lines.")
@@ -112,7 +112,7 @@ TEST(OptionsToYaml, WritesEachMapOnceInTheOrderOfTheOptions) {
 TEST(OptionsToYaml, CommentsSayWhatUnitAndRange) {
   Settings settings;
   const std::string text = options_to_yaml(describe(settings), true);
-  // The documentation's own line breaks do not count: it is wrapped at 100 characters.
+  // The line breaks of the documentation are replaced: it is wrapped at 100 characters.
   EXPECT_THAT(text, HasSubstr("  # A radius. In two lines.\n  # [m; any number]\n  radius: 0.5\n"));
   EXPECT_THAT(text, HasSubstr("# A count.\n# [at least 1]\ncount: 3\n"));
 }

@@ -11,7 +11,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Frames that know their number; reading frame 7 fails.
+/// Ten frames without images; reading frame 7 fails.
 class NumberedFrames : public Dataset {
  public:
   [[nodiscard]] const std::string& name() const override { return name_; }
@@ -55,12 +55,12 @@ TEST(FramePrefetcher, LeavesOutFramesBetweenSteps) {
   EXPECT_EQ(indices, std::vector<std::size_t>({0, 3, 6}));
 }
 
-TEST(FramePrefetcher, OfAnEmptyRangeIsDone) {
+TEST(FramePrefetcher, IsDoneAtOnceIfTheRangeIsEmpty) {
   const NumberedFrames data;
   EXPECT_TRUE(FramePrefetcher(data, 3, 3).done());
 }
 
-TEST(FramePrefetcher, HandsOnWhatReadingThrows) {
+TEST(FramePrefetcher, ThrowsWhatReadingThrows) {
   const NumberedFrames data;
   FramePrefetcher frames(data, 6, 10);
   EXPECT_EQ(frames.next().index, 6U);

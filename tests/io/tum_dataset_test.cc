@@ -80,7 +80,7 @@ TEST_P(AssociationFile, IsAcceptedInEitherOrder) {
   for (const bool depth_first : {false, true}) {
     const TinySequence sequence;
     const std::string color = "0.5 rgb/0.png";
-    const std::string depth = "0.7 depth/0.png";  // further than 20 ms: the file's word counts
+    const std::string depth = "0.7 depth/0.png";  // more than 20 ms apart: the list decides
     sequence.write(GetParam(), depth_first ? depth + " " + color : color + " " + depth);
     sequence.write_color("rgb/0.png");
     sequence.write_depth("depth/0.png");
@@ -190,7 +190,7 @@ TEST(TumDataset, ReturnsTheSameToManyThreads) {
   });
 }
 
-/// The first word of each line of a list.
+/// Returns the first word of each line of a list.
 std::set<std::string> listed_stamps(const std::filesystem::path& list) {
   std::ifstream stream(list);
   std::set<std::string> stamps;
