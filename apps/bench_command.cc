@@ -18,7 +18,7 @@
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 namespace cvo_slam {
 namespace {

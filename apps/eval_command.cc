@@ -11,7 +11,7 @@
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 namespace cvo_slam {
 namespace {

@@ -14,7 +14,7 @@
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/io/rgbd_images.h"
+#include "cvo_slam/io/depth_registration.h"
 
 namespace cvo_slam {
 namespace {

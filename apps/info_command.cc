@@ -65,6 +65,7 @@ void print_json(const Dataset& data) {
       {"name", data.name()},
       {"kind", data.kind()},
       {"camera", to_json(data.camera())},
+      {"camera_origin", data.camera_origin()},
       {"frames", data.size()},
       {"duration_s", info.duration},
       {"rate_hz", info.rate},
@@ -97,6 +98,7 @@ void print_text(const Dataset& data) {
   const DatasetInfo info = measure(data);
   fmt::print("name       {}\nkind       {}\n", data.name(), data.kind());
   print_camera(data.camera());
+  fmt::print("origin     {}\n", data.camera_origin());
   fmt::print("frames     {} in {:.2f} s, {:.1f} Hz\n", data.size(), info.duration, info.rate);
   fmt::print("unpaired   {} colour, {} depth images\n", data.unpaired().color,
              data.unpaired().depth);
@@ -126,7 +128,8 @@ int run_info(const InfoArguments& arguments) {
 void add_info_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("info", "Says what a data set holds");
   const auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("dataset", arguments->dataset, "Folder of a sequence")->required();
+  command->add_option("dataset", arguments->dataset, "Folder of a sequence: " + dataset_formats())
+      ->required();
   command->add_option("--camera", arguments->camera, "Camera file, or name of a built-in camera");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback(

@@ -12,7 +12,7 @@
 #include "cvo_slam/apps/interrupt.h"
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/prefetch.h"
+#include "cvo_slam/io/dataset.h"
 
 namespace cvo_slam {
 namespace {

@@ -14,7 +14,7 @@
 #include "cvo_slam/apps/command.h"
 #include "cvo_slam/apps/scene_files.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/render/motion_jpeg.h"
 #include "cvo_slam/render/picture.h"
 

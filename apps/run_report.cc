@@ -11,7 +11,7 @@
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/options_file.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/plot/trajectory_plot.h"
 
 namespace cvo_slam {

@@ -15,7 +15,7 @@
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/ply.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 namespace cvo_slam {
 namespace {

@@ -61,7 +61,7 @@ void OptionArguments::add_to(CLI::App& command) {
 }
 
 void TrackingArguments::add_to(CLI::App& command) {
-  command.add_option("dataset", dataset, "Folder of a sequence: TUM RGB-D, ICL-NUIM or 7-Scenes");
+  command.add_option("dataset", dataset, "Folder of a sequence: " + dataset_formats());
   command.add_option("--camera", camera,
                      "Camera file, or name of a built-in camera (default: the sequence's own)");
   command.add_option("--frames", frames,

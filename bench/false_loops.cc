@@ -19,7 +19,7 @@
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/g2o.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 namespace cvo_slam {
 namespace {

@@ -12,8 +12,9 @@ struct BuiltinCameraFile {
   std::string_view text;
 };
 
-/// config/cameras/*.yaml as they were when the library was configured, in the order of names.
-/// io/CMakeLists.txt writes the definition, so that the files and the built-in cameras are one.
+/// Returns the files config/cameras/*.yaml as they were when the library was configured, in the
+/// order of their names. CMake writes the definition (io/CMakeLists.txt), so that there is one text
+/// of each camera.
 std::span<const BuiltinCameraFile> builtin_camera_files();
 
 }  // namespace cvo_slam

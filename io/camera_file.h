@@ -10,20 +10,35 @@
 
 namespace cvo_slam {
 
-/// Reads a camera from YAML: our own keys (config/cameras/*.yaml) or those of ORB-SLAM2/3, which
-/// are told apart by a key "Camera.fx" or "Camera1.fx".
-/// Throws InputError (file, line, key).
+/// Reads a camera from a YAML file with the keys
+///
+///   name                           default: the name of the file
+///   width, height, fx, fy, cx, cy  of the colour camera [px]
+///   distortion                     k1, k2, p1, p2, k3 as in OpenCV; default: none
+///   depth_scale                    units of the depth image per metre
+///   readout_time                   of a rolling shutter, first to last row [s]; default: 0
+///   noise                          depth_floor [m], depth_quadratic [1/m], pixel [px]:
+///   SensorNoise;
+///                                  a key that is missing has its default
+///   depth                          a depth camera, if depth is not registered to colour: width,
+///                                  height, fx, fy, cx, cy, distortion and T_color_depth, the four
+///                                  rows of a rigid 4x4 matrix [m]
+///
+/// or from a settings file of ORB-SLAM2 or ORB-SLAM3, which is recognised by its key "Camera.fx" or
+/// "Camera1.fx"; only a PinHole camera is accepted, and keys that do not describe the camera are
+/// ignored. Throws InputError with file, line and key.
 [[nodiscard]] Camera read_camera(const std::filesystem::path& file);
 
-/// Writes a camera with our own keys; read_camera() gives back the same numbers, except that the
-/// rotation of a depth camera is rounded to the nearest proper one. Throws OutputError.
+/// Writes a camera as YAML. read_camera() returns the same numbers, except that it rounds the
+/// rotation of a depth camera to the nearest rotation matrix. Throws OutputError.
 void write_camera(const std::filesystem::path& file, const Camera& camera);
 
-/// The built-in camera of that name; throws OptionError that lists the names.
+/// Returns a built-in camera: config/cameras/<name>.yaml. Throws OptionError, which lists the
+/// names, if there is none of that name.
 [[nodiscard]] Camera builtin_camera(const std::string& name);
 [[nodiscard]] std::vector<std::string> builtin_camera_names();
 
-/// What a user may write after --camera: the name of a built-in camera, or a file.
+/// Returns the camera that a user gave as the name of a built-in camera or as a file.
 /// Throws InputError.
 [[nodiscard]] Camera find_camera(const std::string& name_or_file);
 

@@ -2,35 +2,80 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/dataset.h"
 
+#include <algorithm>
+#include <deque>
+#include <future>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/frame_reader_internal.h"
-#include "cvo_slam/io/sequence_internal.h"
+#include "cvo_slam/io/camera_file.h"
+#include "cvo_slam/io/dataset/formats_internal.h"
+#include "cvo_slam/io/image_files_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-void note_unpaired(Sequence& sequence) {
-  const auto& [color, depth] = sequence.unpaired;
-  if (color + depth == 0) return;
-  sequence.notes.push_back(
-      fmt::format("{} colour and {} depth images have no partner and are left out", color, depth));
+using Path = std::filesystem::path;
+
+struct ChosenCamera {
+  Camera camera;
+  std::string origin;
+};
+
+/// Returns the camera that the options give, else the one of a camera file in the folder, else the
+/// one that the format suggests. Throws InputError if there is none.
+ChosenCamera choose_camera(const Path& folder, const std::optional<Camera>& given,
+                           const DatasetFormat& format) {
+  if (given) {
+    given->check();
+    return {*given, "given by the caller"};
+  }
+  const Path file = folder / "camera.yaml";
+  if (std::filesystem::exists(file)) {
+    return {read_camera(file), "camera.yaml in the folder of the sequence"};
+  }
+  if (const auto suggested = format.suggest_camera(folder)) {
+    return {builtin_camera(suggested->name), suggested->reason};
+  }
+  throw InputError(folder, fmt::format("the camera of this sequence is not known; give --camera (a "
+                                       "YAML file, or one of {}) or put a camera.yaml into it",
+                                       fmt::join(builtin_camera_names(), ", ")));
 }
 
-/// The frames of a Sequence, read from their files when asked for.
+const DatasetFormat& recognise_format(const Path& folder) {
+  const auto formats = all_dataset_formats();
+  const auto found = std::find_if(formats.begin(), formats.end(), [&](const DatasetFormat* format) {
+    return format->recognise(folder);
+  });
+  if (found != formats.end()) return **found;
+  throw InputError(folder, fmt::format("is no known data set; the folder of a sequence holds the "
+                                       "files of one of these: {}",
+                                       dataset_formats()));
+}
+
+/// Reads the frames of a Sequence from their files when asked for.
 class SequenceDataset final : public Dataset {
  public:
-  explicit SequenceDataset(Sequence sequence)
-      : sequence_(std::move(sequence)), reader_(sequence_.camera, sequence_.invalid_depth) {
-    note_unpaired(sequence_);
+  SequenceDataset(const Path& folder, const DatasetFormat& format, ChosenCamera camera,
+                  Sequence sequence)
+      : name_(folder_name(folder)),
+        kind_(format.name),
+        camera_(std::move(camera)),
+        sequence_(std::move(sequence)),
+        reader_(camera_.camera, sequence_.invalid_depth) {
+    const auto& [color, depth] = sequence_.unpaired;
+    if (color + depth == 0) return;
+    sequence_.notes.push_back(fmt::format(
+        "{} colour and {} depth images have no partner and are left out", color, depth));
   }
 
-  [[nodiscard]] const std::string& name() const override { return sequence_.name; }
-  [[nodiscard]] const std::string& kind() const override { return sequence_.kind; }
-  [[nodiscard]] const Camera& camera() const override { return sequence_.camera; }
+  [[nodiscard]] const std::string& name() const override { return name_; }
+  [[nodiscard]] const std::string& kind() const override { return kind_; }
+  [[nodiscard]] const Camera& camera() const override { return camera_.camera; }
+  [[nodiscard]] const std::string& camera_origin() const override { return camera_.origin; }
   [[nodiscard]] std::size_t size() const override { return sequence_.frames.size(); }
   [[nodiscard]] Timestamp stamp(std::size_t index) const override {
     return sequence_.frames.at(index).stamp;
@@ -43,40 +88,34 @@ class SequenceDataset final : public Dataset {
 
   [[nodiscard]] RgbdFrame read(std::size_t index) const override {
     const FrameFiles& files = sequence_.frames.at(index);
-    RgbdFrame frame;
+    RgbdFrame frame = read_images(files);
     frame.index = index;
     frame.stamp = files.stamp;
     frame.depth_stamp = files.depth_stamp;
-    try {
-      reader_.read(files.color, files.depth, frame);
-    } catch (const InputError& error) {
-      frame.color.release();
-      frame.problem = error.what();
-    }
     return frame;
   }
 
  private:
+  [[nodiscard]] RgbdFrame read_images(const FrameFiles& files) const {
+    try {
+      return reader_.read(files.color, files.depth);
+    } catch (const InputError& error) {
+      RgbdFrame frame;
+      frame.problem = error.what();
+      return frame;
+    }
+  }
+
+  std::string name_;
+  std::string kind_;
+  ChosenCamera camera_;
   Sequence sequence_;
   FrameReader reader_;
 };
 
-Sequence open_sequence(const std::filesystem::path& folder, const DatasetOptions& options) {
-  if (is_tum_folder(folder)) return open_tum_sequence(folder, options);
-  if (is_seven_scenes_folder(folder)) return open_seven_scenes_sequence(folder, options);
-  throw InputError(folder,
-                   "is no known data set: expected rgb.txt and depth.txt, or associations.txt "
-                   "(TUM RGB-D, ICL-NUIM), or frame-000000.color.png (7-Scenes)");
-}
-
 }  // namespace
 
-std::string folder_name(const std::filesystem::path& folder) {
-  return std::filesystem::canonical(folder).filename().string();
-}
-
-std::unique_ptr<Dataset> open_dataset(const std::filesystem::path& folder,
-                                      const DatasetOptions& options) {
+std::unique_ptr<Dataset> open_dataset(const Path& folder, const DatasetOptions& options) {
   if (!std::filesystem::exists(folder)) throw InputError(folder, "no such folder; check the path");
   if (!std::filesystem::is_directory(folder)) {
     throw InputError(folder, "is not a folder; give the folder of a sequence");
@@ -84,7 +123,56 @@ std::unique_ptr<Dataset> open_dataset(const std::filesystem::path& folder,
   if (!(options.max_stamp_difference >= 0)) {
     throw OptionError("max_stamp_difference must be 0 or more seconds");
   }
-  return std::make_unique<SequenceDataset>(open_sequence(folder, options));
+  const DatasetFormat& format = recognise_format(folder);
+  ChosenCamera camera = choose_camera(folder, options.camera, format);
+  Sequence sequence = format.open(folder, camera.camera, options.max_stamp_difference);
+  return std::make_unique<SequenceDataset>(folder, format, std::move(camera), std::move(sequence));
+}
+
+/// The frames that are being read, in order.
+class FramePrefetcher::Queue {
+ public:
+  Queue(const Dataset& data, std::size_t begin, std::size_t end, std::size_t step)
+      : data_(data), next_(begin), end_(end), step_(step) {}
+
+  [[nodiscard]] bool empty() const { return frames_.empty(); }
+
+  /// Starts to read one more frame of the range, if there is one.
+  void push() {
+    if (next_ >= end_) return;
+    frames_.push_back(
+        std::async(std::launch::async, [this, index = next_] { return data_.read(index); }));
+    next_ += step_;
+  }
+
+  std::future<RgbdFrame> pop() {
+    std::future<RgbdFrame> frame = std::move(frames_.front());
+    frames_.pop_front();
+    return frame;
+  }
+
+ private:
+  const Dataset& data_;
+  std::size_t next_;
+  std::size_t end_;
+  std::size_t step_;
+  std::deque<std::future<RgbdFrame>> frames_;  // their destructors wait for the threads
+};
+
+FramePrefetcher::FramePrefetcher(const Dataset& data, std::size_t begin, std::size_t end,
+                                 std::size_t step, std::size_t ahead)
+    : queue_(std::make_unique<Queue>(data, begin, end, step)) {
+  for (std::size_t i = 0; i < ahead; ++i) queue_->push();
+}
+
+FramePrefetcher::~FramePrefetcher() = default;
+
+bool FramePrefetcher::done() const { return queue_->empty(); }
+
+RgbdFrame FramePrefetcher::next() {
+  std::future<RgbdFrame> frame = queue_->pop();
+  queue_->push();
+  return frame.get();
 }
 
 }  // namespace cvo_slam

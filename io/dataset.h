@@ -16,15 +16,15 @@
 namespace cvo_slam {
 
 struct DatasetOptions {
-  /// The camera to use; empty = camera.yaml in the sequence's folder, else the built-in camera that
-  /// its name or layout calls for.
+  /// The camera to use. Empty: camera.yaml in the sequence's folder, else the built-in camera that
+  /// its name or layout suggests.
   std::optional<Camera> camera;
-  /// Largest difference of the stamps of a colour and a depth image that make a frame [s]. The
-  /// cameras run at 30 Hz: with more than half of 33 ms the nearest image is another one's partner.
+  /// Largest difference between the stamps of a colour and a depth image that make a frame [s].
+  /// Cameras run at 30 Hz: at more than half of 33 ms, an image may be nearer to another partner.
   double max_stamp_difference = 0.02;
 };
 
-/// How many images have no partner and are in no frame.
+/// Numbers of images that have no partner and therefore are in no frame.
 struct UnpairedImages {
   std::size_t color = 0;
   std::size_t depth = 0;
@@ -35,34 +35,64 @@ class Dataset {
  public:
   virtual ~Dataset() = default;
 
-  /// The name of the sequence, from its folder.
+  /// Name of the sequence: the name of its folder.
   [[nodiscard]] virtual const std::string& name() const = 0;
-  /// The layout it was recognised by, for people: "TUM RGB-D", "ICL-NUIM", "7-Scenes".
+  /// Name of the format that the folder was recognised as: "TUM RGB-D", "ICL-NUIM", "7-Scenes".
   [[nodiscard]] virtual const std::string& kind() const = 0;
   [[nodiscard]] virtual const Camera& camera() const = 0;
-  /// Number of frames: associated pairs of a colour and a depth image, in ascending order of time.
+  /// Why this camera is used, for people: "given by the caller", "camera.yaml in the folder of the
+  /// sequence", "the sequence is called 'fr1_desk'", ...
+  [[nodiscard]] virtual const std::string& camera_origin() const = 0;
+  /// Number of frames: pairs of a colour and a depth image, in ascending order of time.
   [[nodiscard]] virtual std::size_t size() const = 0;
-  /// Reads frame `index` < size(). An image that is missing or broken gives a frame without images
-  /// whose `problem` says why. May be called from several threads.
+  /// Reads frame `index` < size(). If an image is missing or broken, the frame has no images and
+  /// its `problem` says why. May be called from several threads.
   [[nodiscard]] virtual RgbdFrame read(std::size_t index) const = 0;
-  /// The stamp of frame `index`, without reading it.
+  /// Returns the stamp of frame `index` without reading its images.
   [[nodiscard]] virtual Timestamp stamp(std::size_t index) const = 0;
   [[nodiscard]] virtual UnpairedImages unpaired() const = 0;
-  /// Ground-truth poses of the colour camera; empty where the sequence has none.
+  /// Ground-truth poses of the colour camera; empty if the sequence has none.
   [[nodiscard]] virtual const std::vector<StampedPose>& reference() const = 0;
-  /// What a user should know of the sequence, a line each: unpaired images, dropped duplicates, ...
+  /// What a user should know about the sequence, one line each: unpaired images, dropped
+  /// duplicates, ...
   [[nodiscard]] virtual const std::vector<std::string>& notes() const = 0;
 };
 
-/// Opens a sequence whose kind is recognised by its files: TUM RGB-D (and whatever shares its
-/// layout, as ICL-NUIM with an associations file does), or 7-Scenes.
-/// Throws InputError where the folder is missing, of no known kind, has no frame, has a list with a
-/// malformed line (file:line), or calls for no camera that is known.
+/// Opens a sequence in one of the formats of dataset_formats(), which is recognised by its files.
+/// Throws InputError if the folder is missing, has none of these formats, has no frame, has a list
+/// with a malformed line (file:line), or if its camera is not known.
 ///
-/// A file whose bytes are cut off is recognised before it is decoded. Damage inside a whole file is
-/// found by the decoder; the frame is marked alike, but libpng and libjpeg may then write a line of
-/// their own to stderr, which cannot be kept back without changing the state of the process.
+/// A file that is cut off is recognised before it is decoded. Damage inside a whole file is found
+/// by the decoder; the frame is marked in the same way, but libpng and libjpeg may then write a
+/// line to stderr, which only a change of process-wide state could prevent.
 [[nodiscard]] std::unique_ptr<Dataset> open_dataset(const std::filesystem::path& folder,
                                                     const DatasetOptions& options = {});
+
+/// Returns the names and layouts of all formats that open_dataset() can open, for help texts:
+/// "TUM RGB-D (rgb.txt and depth.txt, ...), 7-Scenes (...)".
+[[nodiscard]] std::string dataset_formats();
+
+/// Reads the frames of a range one after the other and decodes the next ones at the same time, each
+/// on its own thread. next() returns what Dataset::read() would return, in the same order.
+class FramePrefetcher {
+ public:
+  /// Takes the frames begin, begin + step, ... below `end` and reads `ahead` >= 1 of them at a
+  /// time. `data` must outlive the object.
+  FramePrefetcher(const Dataset& data, std::size_t begin, std::size_t end, std::size_t step = 1,
+                  std::size_t ahead = 2);
+  /// Waits for the frames that are being read.
+  ~FramePrefetcher();
+  FramePrefetcher(const FramePrefetcher&) = delete;
+  FramePrefetcher& operator=(const FramePrefetcher&) = delete;
+
+  /// Returns true if all frames of the range were returned.
+  [[nodiscard]] bool done() const;
+  /// Returns the next frame; must not be called when done(). Throws what Dataset::read() throws.
+  [[nodiscard]] RgbdFrame next();
+
+ private:
+  class Queue;
+  std::unique_ptr<Queue> queue_;
+};
 
 }  // namespace cvo_slam

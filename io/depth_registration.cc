@@ -10,15 +10,16 @@
 
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/image_files_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-/// Neighbouring footprints overlap by this factor: surfaces that turn away from the depth camera,
-/// and the rounding of stereo depth, tear them apart by a part of a pixel.
+/// Footprints are larger than the distance between them by this factor: slanted surfaces and the
+/// rounding of stereo depth move neighbours apart by a fraction of a pixel.
 constexpr double kFootprintOverlap = 1.3;
 
-/// Farther than all depths, for the z-buffer, and the largest depth that rounds to less.
+/// Value of an empty pixel of the z-buffer, and the largest depth, which rounds to less.
 constexpr auto kNothing = std::numeric_limits<std::uint16_t>::max();
 constexpr float kFarthest = kNothing - 1;
 
@@ -29,7 +30,7 @@ std::array<float, 5> to_float(const std::array<double, 5>& values) {
   return result;
 }
 
-/// The largest (x/z)^2 + (y/z)^2 of the rays through the border of the image.
+/// Returns the largest (x/z)^2 + (y/z)^2 of the rays through the border of the image.
 double largest_radius2(const PinholeCamera& camera) {
   double largest = 0;
   const auto add = [&](double u, double v) {
@@ -46,7 +47,7 @@ double largest_radius2(const PinholeCamera& camera) {
   return largest;
 }
 
-/// Half the extent, along u and v of the colour image, of a pixel of the depth image.
+/// Returns half the size, along u and v of the colour image, of a pixel of the depth image [px].
 Eigen::Vector2f half_footprint(const PinholeCamera& color, const DepthCamera& depth) {
   const Eigen::Matrix2d pixel_to_pixel =
       Eigen::Vector2d(color.fx, color.fy).asDiagonal() *
@@ -60,7 +61,8 @@ Eigen::Vector2f half_footprint(const PinholeCamera& color, const DepthCamera& de
 
 DepthRegistration::DepthRegistration(const Camera& camera) : color_(camera.color) {
   camera.check();
-  if (!camera.depth) throw OptionError("camera: depth registration needs a depth camera");
+  if (!camera.depth)
+    throw OptionError("camera: depth registration needs a depth camera (key depth)");
   const DepthCamera& depth = *camera.depth;
   width_ = depth.pinhole.width;
   height_ = depth.pinhole.height;
@@ -81,7 +83,7 @@ DepthRegistration::DepthRegistration(const Camera& camera) : color_(camera.color
 }
 
 void DepthRegistration::project_row(const std::uint16_t* depth, int v, ProjectedRow& row) const {
-  // Without branches on the pixels and on local copies, so that the compiler vectorises it.
+  // On local copies and without branches on the pixels, so that the compiler vectorises the loop.
   const auto width = static_cast<std::size_t>(width_);
   const std::size_t first = static_cast<std::size_t>(v) * width;
   const float* ray_x = ray_x_.data() + first;
@@ -98,7 +100,6 @@ void DepthRegistration::project_row(const std::uint16_t* depth, int v, Projected
     const float inverse_z = 1 / z;
     float x = (units * ray_x[i] + tx) * inverse_z;
     float y = (units * ray_y[i] + ty) * inverse_z;
-    // Without branches, which would keep the compiler from vectorising the loop.
     // NOLINTNEXTLINE(readability-implicit-bool-conversion)
     const bool visible = (units > 0) & (z >= 1) & (z < kFarthest) & (x * x + y * y <= max_radius2_);
     if (is_distorted) apply_brown_distortion(distortion, x, y);
@@ -126,9 +127,11 @@ void DepthRegistration::splat_row(const ProjectedRow& row, cv::Mat& image) const
   }
 }
 
-cv::Mat DepthRegistration::to_color(const cv::Mat& depth) const {
+cv::Mat DepthRegistration::register_depth(const cv::Mat& depth) const {
   if (depth.type() != CV_16UC1 || depth.cols != width_ || depth.rows != height_) {
-    throw Error("depth registration: the image is not of the depth camera's size and 16 bits");
+    throw Error(
+        "depth registration: the image must have the size of the depth camera, 16 bits and 1 "
+        "channel");
   }
   cv::Mat result(color_.height, color_.width, CV_16UC1, cv::Scalar(kNothing));
   ProjectedRow row(static_cast<std::size_t>(width_));
@@ -138,6 +141,12 @@ cv::Mat DepthRegistration::to_color(const cv::Mat& depth) const {
   }
   result.setTo(0, result == kNothing);
   return result;
+}
+
+RgbdFrame read_rgbd_images(const std::filesystem::path& color, const std::filesystem::path& depth,
+                           const Camera& camera) {
+  camera.check();
+  return FrameReader(camera).read(color, depth);
 }
 
 }  // namespace cvo_slam

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/g2o.h"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -23,7 +22,7 @@ constexpr std::string_view kVertex = "VERTEX_SE3:QUAT";
 constexpr std::string_view kEdge = "EDGE_SE3:QUAT";
 constexpr std::string_view kFix = "FIX";
 
-/// The words of a line, taken one after the other.
+/// Takes the words of a line one after the other.
 class Words {
  public:
   Words(const std::filesystem::path& file, const TextLine& line) : file_(file), line_(line) {}
@@ -42,12 +41,9 @@ class Words {
 
   NodeId id() {
     const std::string& word = next();
-    NodeId value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) {
-      fail(fmt::format("'{}' is not the number of a vertex", word));
-    }
-    return value;
+    const auto value = parse_integer<NodeId>(word);
+    if (!value) fail(fmt::format("'{}' is not the number of a vertex", word));
+    return *value;
   }
 
   double number() {
@@ -107,7 +103,7 @@ bool joins_successive_nodes(const PoseGraphEdge& edge, const std::set<NodeId>& i
   return next != ids.end() && *next == edge.to;
 }
 
-/// The same graph, where edges that do not join a node to the next one are loops.
+/// Returns the same graph with the edges that do not join a node to the next one marked as loops.
 PoseGraph with_kinds(const PoseGraph& graph) {
   std::set<NodeId> ids;
   PoseGraph result;
@@ -137,7 +133,8 @@ void fix(PoseGraph& graph, Words& words) {
   words.fail(fmt::format("unknown entry '{}'; {}, {} and {} are read", tag, kVertex, kEdge, kFix));
 }
 
-/// Edges may stand above their vertices, therefore one kind of entry after the other.
+/// Adds the entry of a line if it has this tag. Edges may stand above their vertices: a reader adds
+/// one kind of entry after the other.
 void add_entries(PoseGraph& graph, std::string_view tag, Words words) {
   if (words.tag() != tag) return;
   try {
@@ -156,13 +153,13 @@ Eigen::Vector4d rounded_quaternion(const SE3& pose) {
   return q;
 }
 
-/// A quaternion that is read back, made a rotation matrix and written again as the same digits: on
-/// a grid, coarser than what the way through the matrix costs, normalising brings a quaternion's
-/// length nearer to 1 with every turn, until nothing moves.
+/// Returns a quaternion whose digits are the same after it was read, converted to a rotation matrix
+/// and written again. It is rounded to a grid that is coarser than the rounding errors of that
+/// conversion; each repetition brings its length nearer to 1, until nothing changes.
 Eigen::Vector4d repeatable_quaternion(const SE3& pose) {
   Eigen::Vector4d q = rounded_quaternion(pose);
-  constexpr int kMostTurns = 100;  // two or three are usual
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  constexpr int kMostRepetitions = 100;  // two or three are usual
+  for (int i = 0; i < kMostRepetitions; ++i) {
     const SE3 read = SE3::from_quaternion(q[0], q[1], q[2], q[3], Vector3::Zero());
     const Eigen::Vector4d next = rounded_quaternion(read);
     if (next == q) break;

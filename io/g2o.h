@@ -8,27 +8,27 @@
 
 namespace cvo_slam {
 
-/// Reads a pose graph in g2o format: a line an entry,
+/// Reads a pose graph in g2o format, one entry per line:
 ///
 ///   VERTEX_SE3:QUAT id  x y z  qx qy qz qw
-///   EDGE_SE3:QUAT from to  x y z  qx qy qz qw  and the 21 values of the upper triangle, by rows,
-///   of
-///                          the information in the order [translation; rotation]
+///   EDGE_SE3:QUAT from to  x y z  qx qy qz qw  i11 i12 ... i66
 ///   FIX id...
 ///
-/// in any order; '#' starts a comment. Matrices are taken as they stand, neither permuted nor
-/// scaled: it is the residual (pose_graph_cost.h) that says what they are the information of.
-/// The format does not know kinds of edges: from a vertex to the one with the next larger id is
-/// taken for odometry, and any other edge for a loop, which may be wrong (robust).
+/// i11 ... i66 are the 21 values of the upper triangle of the information matrix, row by row, in
+/// the order [translation; rotation]. The entries may be in any order; '#' starts a comment.
+/// Matrices are read as they are, neither permuted nor scaled: which residual they belong to is
+/// said in core's pose graph.
+/// The format does not store kinds of edges: an edge from a vertex to the one with the next larger
+/// id is read as odometry, every other edge as a loop that may be wrong (robust).
 ///
-/// Throws InputError, with the number of the line, for an unknown entry (and says so of planar
-/// graphs), a wrong number of values, a value that is not a finite number, a quaternion of length
-/// zero, a vertex that is there twice or not at all, an edge from a vertex to itself, an
-/// information matrix that is not positive semi-definite; and for a file without any vertex.
+/// Throws InputError with the line for an unknown entry (planar graphs are named as such), a wrong
+/// number of values, a value that is not a finite number, a quaternion of length zero, a vertex
+/// that is given twice or missing, an edge from a vertex to itself, or an information matrix that
+/// is not positive semi-definite; and without a line for a file that has no vertex.
 [[nodiscard]] PoseGraph read_g2o(const std::filesystem::path& file);
 
-/// Writes a pose graph in g2o format, with as many digits as numbers have: reading the file and
-/// writing it again gives the same bytes. Throws OutputError.
+/// Writes a pose graph in g2o format with all digits: reading the file and writing it again gives
+/// the same bytes. Throws OutputError.
 void write_g2o(const std::filesystem::path& file, const PoseGraph& graph);
 
 }  // namespace cvo_slam

@@ -15,7 +15,7 @@
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/io/ply.h"
 #include "cvo_slam/io/text_internal.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 namespace cvo_slam {
 namespace {
@@ -49,25 +49,28 @@ EdgeKind parse_kind(const std::filesystem::path& file, const TextLine& line,
   const auto& words = line.words;
   if (words.size() != 3 || words[0] != std::to_string(edge.from) ||
       words[1] != std::to_string(edge.to)) {
-    throw InputError(file, line.number,
-                     fmt::format("expected '{} {} <kind>' as in {}; both must be of one map",
-                                 edge.from, edge.to, kGraph));
+    throw InputError(
+        file, line.number,
+        fmt::format("expected '{} {} <kind>' as in {}; both files must belong to the same map",
+                    edge.from, edge.to, kGraph));
   }
   const auto* kind = std::find_if(kKinds.begin(), kKinds.end(),
                                   [&](const auto& entry) { return entry.first == words[2]; });
   if (kind == kKinds.end()) {
-    throw InputError(file, line.number,
-                     fmt::format("'{}' is no kind of edge: odometry, proximity or loop", words[2]));
+    throw InputError(
+        file, line.number,
+        fmt::format("'{}' is no kind of edge; there are odometry, proximity and loop", words[2]));
   }
   return kind->second;
 }
 
-/// The graph with the kinds that the file of edges gives.
+/// Returns the graph with the kinds of edges that the file gives.
 PoseGraph with_kinds(const PoseGraph& graph, const std::filesystem::path& file) {
   const std::vector<TextLine> lines = read_word_lines(file);
   if (lines.size() != graph.edges().size()) {
-    throw InputError(file, fmt::format("{} edges, but {} in {}; both must be of one map",
-                                       lines.size(), graph.edges().size(), kGraph));
+    throw InputError(file,
+                     fmt::format("{} edges, but {} in {}; both files must belong to the same map",
+                                 lines.size(), graph.edges().size(), kGraph));
   }
   PoseGraph result;
   for (const PoseGraphNode& node : graph.nodes()) result.add_node(node);
@@ -83,8 +86,8 @@ PoseGraph with_kinds(const PoseGraph& graph, const std::filesystem::path& file) 
 void check_sizes(const std::filesystem::path& folder, const Map& map) {
   const std::size_t nodes = map.graph.nodes().size();
   if (nodes == 0 || nodes == map.keyframes.size()) return;
-  throw InputError(folder, fmt::format("{} keyframes in {}, but {} nodes in {}; both must be of "
-                                       "one map",
+  throw InputError(folder, fmt::format("{} keyframes in {}, but {} nodes in {}; both files must "
+                                       "belong to the same map",
                                        map.keyframes.size(), kKeyframes, nodes, kGraph));
 }
 
@@ -94,8 +97,8 @@ void write_map(const std::filesystem::path& folder, const Map& map) {
   const bool has_graph = !map.graph.nodes().empty();
   if (has_graph && map.graph.nodes().size() != map.keyframes.size()) {
     throw DataError(
-        fmt::format("a map of {} keyframes whose graph has {} nodes; each keyframe "
-                    "must have one",
+        fmt::format("the map has {} keyframes, but its graph has {} nodes; each keyframe "
+                    "must have one node",
                     map.keyframes.size(), map.graph.nodes().size()));
   }
   make_folder(folder);
@@ -110,10 +113,10 @@ void write_map(const std::filesystem::path& folder, const Map& map) {
 Map read_map(const std::filesystem::path& folder) {
   const auto has = [&](std::string_view name) { return std::filesystem::exists(folder / name); };
   if (!std::filesystem::is_directory(folder)) {
-    throw InputError(folder, "is no folder; name one that cvo_slam run has written");
+    throw InputError(folder, "is not a folder; give a folder that cvo_slam run has written");
   }
   if (!has(kKeyframes) && !has(kGraph) && !has(kPoints)) {
-    throw InputError(folder, fmt::format("holds no map: none of {}, {} and {}; name a folder that "
+    throw InputError(folder, fmt::format("holds no map: none of {}, {} and {}; give a folder that "
                                          "cvo_slam run has written",
                                          kKeyframes, kGraph, kPoints));
   }

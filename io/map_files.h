@@ -8,18 +8,18 @@
 
 namespace cvo_slam {
 
-/// Writes a map into a folder, which is made where it is missing:
+/// Writes a map into a folder, which is made if it is missing:
 ///
-///   keyframes.txt  poses, TUM format
-///   graph.g2o      the pose graph; edges.txt what its edges are, "from to kind" a line, because
-///                  g2o has no word for it. Where the map has a graph
-///   map.ply        points; where the map has any
+///   keyframes.txt  poses of the keyframes in TUM format
+///   graph.g2o      the pose graph, if the map has one
+///   edges.txt      kinds of the graph's edges, which g2o cannot store: lines "from to kind"
+///   map.ply        points, if the map has any
 ///
-/// Throws OutputError, and DataError where a graph has not one node a keyframe.
+/// Throws OutputError, and DataError if the graph does not have one node per keyframe.
 void write_map(const std::filesystem::path& folder, const Map& map);
 
-/// Reads a map from a folder that write_map() or `cvo_slam run` wrote; each of the files may be
-/// missing, but not all. Throws InputError.
+/// Reads a map from a folder that write_map() or `cvo_slam run` wrote. Each of the files may be
+/// missing, but not all of them. Throws InputError.
 [[nodiscard]] Map read_map(const std::filesystem::path& folder);
 
 }  // namespace cvo_slam

@@ -12,62 +12,51 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/text_internal.h"
-#include "cvo_slam/io/yaml_internal.h"
+#include "cvo_slam/io/yaml_value.h"
 
 namespace cvo_slam {
 namespace {
 
 struct Setting {
   std::string key;
-  std::string value;
-  long line = 0;
+  const YamlValue* value = nullptr;
 };
 
-/// A scalar as it is written, a list as "[a, b]".
-std::string value_text(const YAML::Node& node, const std::string& key, long line,
-                       const std::filesystem::path& file) {
-  if (node.IsScalar()) return node.Scalar();
-  if (!node.IsSequence()) {
-    throw InputError(file, line, fmt::format("{}: a value is missing", key));
-  }
+/// Returns a word as it is written, a list of words as "[a, b]".
+std::string value_text(const Setting& setting) {
+  const YamlValue& value = *setting.value;
+  if (value.is_word()) return value.word(setting.key);
   std::vector<std::string> items;
-  for (const auto& item : node) {
-    if (!item.IsScalar()) {
-      throw InputError(file, line_of(item), fmt::format("{}: a list must have plain values", key));
-    }
-    items.push_back(item.Scalar());
-  }
+  for (const auto& item : value.list(setting.key)) items.push_back(item.word(setting.key));
   return fmt::format("[{}]", fmt::join(items, ", "));
 }
 
-/// All values below `map`, the keys of nested maps joined by dots.
-void collect(const YAML::Node& map, const std::string& prefix, const std::filesystem::path& file,
-             std::vector<Setting>& settings) {
-  for (const auto& entry : map) {
-    const std::string key = prefix + entry.first.Scalar();
-    if (entry.second.IsMap()) {
-      collect(entry.second, key + ".", file, settings);
+/// Appends all values below `map`, the keys of nested maps joined by dots.
+void collect(const YamlValue& map, const std::string& prefix, std::vector<Setting>& settings) {
+  for (const auto& [name, value] : map.map("options")) {
+    if (value.is_map()) {
+      collect(value, prefix + name + ".", settings);
     } else {
-      const long line = line_of(entry.first);
-      settings.push_back({key, value_text(entry.second, key, line, file), line});
+      settings.push_back({prefix + name, &value});
     }
   }
 }
 
-/// "a: {b: 1}" and "a.b: 2" in one file are different keys to YAML, but one option.
-void check_distinct(std::vector<Setting> settings, const std::filesystem::path& file) {
+/// Throws InputError if an option is set twice: "a: {b: 1}" and "a.b: 2" in one file are different
+/// keys to YAML.
+void check_distinct(std::vector<Setting> settings) {
   std::stable_sort(settings.begin(), settings.end(),
                    [](const Setting& a, const Setting& b) { return a.key < b.key; });
   const auto twice =
       std::adjacent_find(settings.begin(), settings.end(),
                          [](const Setting& a, const Setting& b) { return a.key == b.key; });
   if (twice == settings.end()) return;
-  throw InputError(file, std::next(twice)->line,
-                   fmt::format("option '{}' is set twice; remove one", twice->key));
+  std::next(twice)->value->fail_at_key(
+      fmt::format("option '{}' is set twice; remove one", twice->key));
 }
 
-/// The documentation, then "[unit; range]", as comment lines behind `indent`, of 100 characters at
-/// most where words allow.
+/// Returns the documentation, then "[unit; range]", as comment lines behind `indent`, each of at
+/// most 100 characters unless a word is longer.
 std::string comment_of(const Option& option, const std::string& indent) {
   constexpr std::size_t kWidth = 100;
   const std::string range = option.unit.empty()
@@ -85,10 +74,11 @@ std::string comment_of(const Option& option, const std::string& indent) {
   return comment + line + "\n" + indent + "# " + range + "\n";
 }
 
-/// Writes the options of one map, whose keys all start with the same `prefix` characters. A nested
-/// map is written where its first option stands, with all that belong to it.
-void write_map(const std::vector<const Option*>& options, std::size_t prefix, bool comments,
-               const std::string& indent, std::string& text) {
+/// Returns the options of one map, whose keys all start with the same `prefix` characters. A nested
+/// map stands at the place of its first option and holds all options that belong to it.
+std::string map_to_yaml(const std::vector<const Option*>& options, std::size_t prefix,
+                        bool comments, const std::string& indent) {
+  std::string text;
   std::set<std::string> nested_maps;
   for (const Option* option : options) {
     const std::size_t dot = option->key.find('.', prefix);
@@ -103,21 +93,24 @@ void write_map(const std::vector<const Option*>& options, std::size_t prefix, bo
     std::copy_if(options.begin(), options.end(), std::back_inserter(members),
                  [&](const Option* other) { return other->key.starts_with(nested); });
     text += fmt::format("{}{}:\n", indent, option->key.substr(prefix, dot - prefix));
-    write_map(members, dot + 1, comments, indent + "  ", text);
+    text += map_to_yaml(members, dot + 1, comments, indent + "  ");
   }
+  return text;
 }
 
 }  // namespace
 
 void read_options(const std::filesystem::path& file, const OptionSet& options) {
+  const YamlValue root = YamlValue::read(file);
+  if (root.is_empty()) return;
   std::vector<Setting> settings;
-  collect(load_yaml(file), "", file, settings);
-  check_distinct(settings, file);
+  collect(root, "", settings);
+  check_distinct(settings);
   for (const auto& setting : settings) {
     try {
-      options.set(setting.key, setting.value);
+      options.set(setting.key, value_text(setting));
     } catch (const OptionError& error) {
-      throw InputError(file, setting.line, error.what());
+      setting.value->fail_at_key(error.what());
     }
   }
 }
@@ -125,9 +118,7 @@ void read_options(const std::filesystem::path& file, const OptionSet& options) {
 std::string options_to_yaml(const OptionSet& options, bool comments) {
   std::vector<const Option*> all;
   for (const auto& option : options.options()) all.push_back(&option);
-  std::string text;
-  write_map(all, 0, comments, "", text);
-  return text;
+  return map_to_yaml(all, 0, comments, "");
 }
 
 }  // namespace cvo_slam

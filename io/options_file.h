@@ -9,12 +9,13 @@
 
 namespace cvo_slam {
 
-/// Sets the options that a YAML file names (nested maps = dotted keys). Throws InputError with file
-/// and line for unreadable YAML, an unknown key (with the nearest name) or a bad value.
+/// Sets the options that a YAML file names; keys of nested maps are joined by dots. Throws
+/// InputError with file and line if the file is not YAML, or has an unknown option (the message
+/// names the nearest one) or a bad value.
 void read_options(const std::filesystem::path& file, const OptionSet& options);
 
-/// All options as YAML text that read_options() accepts; with `comments` each is preceded by its
-/// documentation, unit and range.
+/// Returns all options as YAML text that read_options() accepts; with `comments` each option is
+/// preceded by its documentation, unit and range.
 [[nodiscard]] std::string options_to_yaml(const OptionSet& options, bool comments = false);
 
 }  // namespace cvo_slam

@@ -19,9 +19,10 @@
 namespace cvo_slam {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "values are copied as they stand");
+static_assert(std::endian::native == std::endian::little,
+              "values are copied without swapping bytes");
 
-/// The values of a vertex by their meaning.
+/// Values of a vertex, indexed by PlyMeaning.
 using VertexValues = std::array<double, kPlyMeanings>;
 
 template <typename T>
@@ -57,7 +58,7 @@ double& at(VertexValues& values, PlyMeaning meaning) {
   return values[static_cast<std::size_t>(meaning)];
 }
 
-/// Makes points of values in the way that the header says.
+/// Converts the values of a vertex to a point, as the header describes them.
 class PointMaker {
  public:
   explicit PointMaker(const PlyHeader& header)
@@ -108,7 +109,7 @@ std::vector<MapPoint> read_binary(const std::filesystem::path& file, const PlyHe
                                   std::string_view text) {
   const std::size_t size = header.bytes_per_vertex();
   const std::size_t begin = header.size + header.bytes_before;
-  // Divided, not multiplied: a number of vertices from a file may overflow.
+  // Division instead of multiplication: the number of vertices in a bad file may overflow.
   if (begin > text.size() || header.vertices > (text.size() - begin) / size) {
     throw InputError(file, fmt::format("ends at byte {}, but its header promises {} vertices of {} "
                                        "bytes from byte {}; the file is cut off",
@@ -129,13 +130,13 @@ std::vector<MapPoint> read_binary(const std::filesystem::path& file, const PlyHe
   return points;
 }
 
-/// The lines behind the header, with their numbers.
+/// Takes the lines behind the header one after the other.
 class Lines {
  public:
   Lines(std::string_view text, long number) : text_(text), number_(number) {}
 
   [[nodiscard]] long number() const { return number_; }
-  /// False at the end of the file.
+  /// Returns false at the end of the file.
   bool next(std::string_view& line) {
     if (text_.empty()) return false;
     const std::size_t end = text_.find('\n');
@@ -150,7 +151,7 @@ class Lines {
   long number_;
 };
 
-/// Unlike elsewhere nan and inf are values: point clouds have them where nothing was seen.
+/// Accepts nan, which point clouds have where nothing was measured.
 double parse_value(const std::filesystem::path& file, long line, const std::string& word) {
   if (word == "nan" || word == "-nan") return std::nan("");
   const auto value = parse_finite(word);

@@ -10,16 +10,15 @@
 
 namespace cvo_slam {
 
-/// Reads the vertices of a PLY file, binary little-endian or ASCII: x, y, z and, where there are
-/// any, nx, ny, nz and red, green, blue (uchar, or float from 0 to 1). A file without colours gives
-/// light grey points. Other properties, faces and whatever else follows the vertices are passed
-/// over. Values that are not finite stay as they are.
-/// Throws InputError: with the line for a bad header or a bad line of an ASCII file, with the byte
-/// for a binary file that ends too early.
+/// Reads the vertices of a PLY file, binary little-endian or ASCII: x, y, z and, if present, nx,
+/// ny, nz and red, green, blue (uchar, or float from 0 to 1). A file without colours gives light
+/// grey points. Other properties, and faces and other elements behind the vertices, are ignored.
+/// Values that are not finite are kept. Throws InputError: with the line for a bad header or a bad
+/// line of an ASCII file, with the byte for a binary file that ends too early.
 [[nodiscard]] std::vector<MapPoint> read_ply(const std::filesystem::path& file);
 
 /// Writes points as binary little-endian PLY: position and normal as floats, colour as bytes.
-/// read_ply() gives back the same. Throws OutputError.
+/// read_ply() returns the same points. Throws OutputError.
 void write_ply(const std::filesystem::path& file, std::span<const MapPoint> points);
 
 }  // namespace cvo_slam

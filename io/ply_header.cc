@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <utility>
@@ -59,7 +58,7 @@ std::optional<Value> find(const Names<Value, kCount>& names, std::string_view na
   return entry->second;
 }
 
-/// Reads the header a line at a time.
+/// Reads the header line by line.
 class HeaderParser {
  public:
   HeaderParser(const std::filesystem::path& file, std::string_view text)
@@ -89,7 +88,7 @@ class HeaderParser {
   bool next_line() {
     words_.clear();
     ++line_;
-    // Of a file that is no PLY file, no more than this is taken for a line.
+    // A file that is not PLY may have no line end for gigabytes.
     constexpr std::size_t kLongestLine = 4096;
     const std::size_t end = text_.substr(0, position_ + kLongestLine).find('\n', position_);
     if (end == std::string_view::npos) return false;
@@ -123,22 +122,18 @@ class HeaderParser {
 
   void parse_element() {
     if (words_.size() != 3) fail("an element has a name and a count");
-    std::size_t count = 0;
-    const std::string& word = words_[2];
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-    if (error != std::errc() || end != word.data() + word.size()) {
-      fail(fmt::format("'{}' is not a number of elements", word));
-    }
+    const auto count = parse_integer<std::size_t>(words_[2]);
+    if (!count) fail(fmt::format("'{}' is not a number of elements", words_[2]));
     if (words_[1] == "vertex") {
       element_ = Element::kVertices;
-      header_.vertices = count;
+      header_.vertices = *count;
       has_vertices_ = true;
       return;
     }
     element_ = has_vertices_ ? Element::kAfterVertices : Element::kBeforeVertices;
     if (has_vertices_) return;
-    count_before_ = count;
-    header_.lines_before += count;
+    count_before_ = *count;
+    header_.lines_before += *count;
   }
 
   void parse_property() {
@@ -171,7 +166,7 @@ class HeaderParser {
   std::string_view text_;
   PlyHeader header_;
   Element element_ = Element::kNone;
-  std::size_t count_before_ = 0;  // of the element in work
+  std::size_t count_before_ = 0;  // number of the current element, if it is before the vertices
   bool has_format_ = false;
   bool has_vertices_ = false;
   std::vector<std::string> words_;

@@ -14,7 +14,7 @@ enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kD
 
 [[nodiscard]] std::size_t size_of(PlyType type);
 
-/// What a property of a vertex means to us; kOther is passed over.
+/// What a property of a vertex means; kOther is ignored.
 enum class PlyMeaning { kX, kY, kZ, kNx, kNy, kNz, kRed, kGreen, kBlue, kOther };
 inline constexpr std::size_t kPlyMeanings = 10;
 
@@ -23,22 +23,21 @@ struct PlyProperty {
   PlyMeaning meaning = PlyMeaning::kOther;
 };
 
-/// What stands above the values of a PLY file.
+/// The header of a PLY file, which stands above its values.
 struct PlyHeader {
   bool is_binary = false;
   std::size_t vertices = 0;
-  std::vector<PlyProperty> properties;  ///< of a vertex, in order
-  /// Of the elements before the vertices: how many, in lines and in bytes.
-  std::size_t lines_before = 0;
-  std::size_t bytes_before = 0;
-  std::size_t size = 0;  ///< of the header [bytes]
-  long lines = 0;        ///< of the header
+  std::vector<PlyProperty> properties;  ///< properties of a vertex, in order
+  std::size_t lines_before = 0;         ///< number of ASCII lines between header and vertices
+  std::size_t bytes_before = 0;         ///< number of binary bytes between header and vertices
+  std::size_t size = 0;                 ///< size of the header [bytes]
+  long lines = 0;                       ///< number of lines of the header
 
   [[nodiscard]] std::size_t bytes_per_vertex() const;
   [[nodiscard]] bool has(PlyMeaning meaning) const;
 };
 
-/// Reads the header of `text`, the content of `file`. Throws InputError with the line.
+/// Parses the header of `text`, the content of `file`. Throws InputError with the line.
 [[nodiscard]] PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace cvo_slam

@@ -11,51 +11,66 @@
 
 namespace cvo_slam {
 
-/// A value of a YAML file: a word, a list or a map. Knows its line, so that whoever reads it can
-/// say where something is wrong. All members named `what` are for messages.
+/// A value of a YAML file: a word, a list, a map, or nothing. It knows its place in the file, so
+/// that the code that reads it can say where a mistake is. The arguments named `what` are names for
+/// error messages.
 class YamlValue {
  public:
-  /// The map that a whole file is. Throws InputError where the file cannot be read or is not YAML,
-  /// is not a map, or gives a key twice.
+  /// Returns the map that a whole file is, or an empty value for an empty file. Throws InputError
+  /// with the line if the file cannot be read, is not YAML, is not a map, or has a key twice.
   [[nodiscard]] static YamlValue read(const std::filesystem::path& file);
-  /// The same of a text; `file` is for messages.
-  [[nodiscard]] static YamlValue parse(const std::string& text, const std::filesystem::path& file);
+  /// Does the same with text; `file` is used in error messages only. The line "%YAML:1.0" of
+  /// OpenCV's files, which is not YAML, is accepted.
+  [[nodiscard]] static YamlValue parse(std::string text, const std::filesystem::path& file);
 
-  /// Throws InputError "file:line: problem".
-  [[noreturn]] void fail(const std::string& problem) const;
+  [[nodiscard]] bool is_empty() const { return kind_ == Kind::kEmpty; }
+  [[nodiscard]] bool is_word() const { return kind_ == Kind::kWord; }
+  [[nodiscard]] bool is_map() const { return kind_ == Kind::kMap; }
 
-  // Each throws InputError where the value is something else.
+  // Each of these returns the value as the type that the caller expects, and throws InputError if
+  // it has another type.
   [[nodiscard]] const std::string& word(const std::string& what) const;
+  /// Returns a finite number.
   [[nodiscard]] double number(const std::string& what) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& what, std::size_t count) const;
   [[nodiscard]] bool flag(const std::string& what) const;
   [[nodiscard]] const std::vector<YamlValue>& list(const std::string& what) const;
-  /// The entries of a map in the order of the file.
+  /// Returns the entries of a map in the order of the file.
   [[nodiscard]] const std::vector<std::pair<std::string, YamlValue>>& map(
       const std::string& what) const;
 
-  [[nodiscard]] bool is_word() const { return kind_ == Kind::kWord; }
-  /// The value of a map's key; null where there is none, or where this is no map.
+  /// Returns the value of a key, or a null pointer if there is no such key or this is no map.
   [[nodiscard]] const YamlValue* find(const std::string& key) const;
-  /// Throws InputError where the key is missing.
+  /// Returns the value of a key. Throws InputError if there is no such key.
   [[nodiscard]] const YamlValue& require(const std::string& key, const std::string& what) const;
-  /// Throws InputError where this is no map, or has a key that is not `known`; the message gives
-  /// the nearest one.
+  /// Throws InputError if this is no map or has a key that is not in `known`; the message suggests
+  /// the nearest known key.
   void check_keys(const std::vector<std::string>& known, const std::string& what) const;
 
-  /// From 1.
+  /// Line in the file, from 1. A map or list that starts below its key has the line of its first
+  /// entry.
   [[nodiscard]] long line() const { return line_; }
+  /// Throws InputError "file:line: problem" with the line of this value.
+  [[noreturn]] void fail(const std::string& problem) const;
+  /// Throws InputError with the line of the key that this is the value of.
+  [[noreturn]] void fail_at_key(const std::string& problem) const;
 
  private:
   friend class YamlConverter;
   enum class Kind { kEmpty, kWord, kList, kMap };
 
+  [[noreturn]] void fail_expected(const std::string& what, const std::string& expected) const;
+
   Kind kind_ = Kind::kEmpty;
   std::shared_ptr<const std::filesystem::path> file_;
-  long line_ = 0;
+  long line_ = 1;
+  long key_line_ = 1;
   std::string word_;
   std::vector<YamlValue> list_;
   std::vector<std::pair<std::string, YamlValue>> map_;
 };
+
+/// Returns text as a YAML scalar, with quotes if it needs them.
+[[nodiscard]] std::string to_yaml_word(const std::string& text);
 
 }  // namespace cvo_slam

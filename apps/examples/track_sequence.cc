@@ -6,7 +6,7 @@
 
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 int main(int /*argc*/, char** argv) {
   const auto data = cvo_slam::open_dataset(argv[1]);

@@ -3,11 +3,11 @@
 #include "cvo_slam/apps/page/html.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
+#include <utf8.h>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/plot/base64.h"
@@ -17,27 +17,8 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-std::uint8_t byte_at(std::string_view text, std::size_t i) {
-  return i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0;
-}
-
-/// How many bytes the character that begins here takes; 0 where none does. RFC 3629: no more bytes
-/// than needed, no surrogates, nothing above U+10FFFF.
-std::size_t utf8_length(std::string_view text) {
-  const std::uint8_t first = byte_at(text, 0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte_at(text, i) & 0xC0) != 0x80) return 0;
-  }
-  const std::uint8_t second = byte_at(text, 1);
-  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F)) return 0;
-  if ((first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) return 0;
-  return length;
-}
-
-std::string_view escaped_ascii(const char& c) {
+/// Returns what stands for one byte of valid UTF-8.
+std::string_view escaped_byte(const char& c) {
   switch (c) {
     case '&':
       return "&amp;";
@@ -72,16 +53,14 @@ std::string_view class_of(Cell kind) {
 
 std::string escaped(std::string_view text) {
   std::string result;
-  while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    if (length == 1) {
-      result += escaped_ascii(text.front());
-    } else {
-      result += length == 0 ? kReplacement : text.substr(0, length);
-    }
-    text.remove_prefix(length == 0 ? 1 : length);
+  const auto* position = text.begin();
+  while (true) {
+    const auto* invalid = utf8::find_invalid(position, text.end());
+    for (; position != invalid; ++position) result += escaped_byte(*position);
+    if (position == text.end()) return result;
+    result += kReplacement;
+    ++position;
   }
-  return result;
 }
 
 std::string element(std::string_view tag, std::string_view content, std::string_view attributes) {

@@ -12,7 +12,7 @@
 
 #include "cvo_slam/apps/benchmark_report.h"
 #include "cvo_slam/apps/odometry_benchmark.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/io/tiny_sequence.h"

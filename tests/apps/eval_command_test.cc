@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cvo_slam/core/trajectory_errors.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/core/trajectory_samples.h"
 #include "cvo_slam/tests/temporary_folder.h"

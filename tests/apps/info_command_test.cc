@@ -47,6 +47,7 @@ TEST_F(InfoCommand, SaysWhatASequenceHolds) {
   const std::string text = info(sequence_.path().string());
   EXPECT_THAT(text, HasSubstr("kind       TUM RGB-D\n"));
   EXPECT_THAT(text, HasSubstr("camera     tiny: 8x6, fx 8 fy 8 cx 3.5 cy 2.5\n"));
+  EXPECT_THAT(text, HasSubstr("origin     camera.yaml in the folder of the sequence\n"));
   EXPECT_THAT(text, HasSubstr("frames     2 in 0.10 s, 10.0 Hz\n"));
   EXPECT_THAT(text, HasSubstr("unpaired   0 colour, 0 depth images\n"));
   EXPECT_THAT(text, HasSubstr("reference  2 poses, 5.00 m, covers 1 of 2 frames\n"));
@@ -57,6 +58,7 @@ TEST_F(InfoCommand, SaysTheSameInJson) {
   EXPECT_EQ(json["frames"], 2);
   EXPECT_EQ(json["camera"]["name"], "tiny");
   EXPECT_EQ(json["camera"]["depth"], nullptr);
+  EXPECT_EQ(json["camera_origin"], "camera.yaml in the folder of the sequence");
   EXPECT_NEAR(json["rate_hz"], 10, 1e-9);
   EXPECT_EQ(json["reference"]["frames_covered"], 1);
   EXPECT_EQ(json["notes"].size(), 0);

@@ -60,6 +60,7 @@ class FewImages : public Dataset {
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] const std::string& kind() const override { return name_; }
   [[nodiscard]] const Camera& camera() const override { return camera_; }
+  [[nodiscard]] const std::string& camera_origin() const override { return name_; }
   [[nodiscard]] std::size_t size() const override { return 5; }
   [[nodiscard]] RgbdFrame read(std::size_t index) const override {
     RgbdFrame frame;

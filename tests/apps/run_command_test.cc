@@ -17,7 +17,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "cvo_slam/io/map_files.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/temporary_folder.h"

@@ -84,7 +84,7 @@ TEST(Rules, IncludesFollowTheTable) {
 }
 
 TEST(Rules, InternalHeadersStayInside) {
-  const std::string include = "#include \"cvo_slam/io/yaml_internal.h\"";
+  const std::string include = "#include \"cvo_slam/io/text_internal.h\"";
   expect_bites(public_headers_include_no_internal_ones, "io/a.h", {include});
   expect_passes(public_headers_include_no_internal_ones, "io/a.cc", {include});
   expect_passes(public_headers_include_no_internal_ones, "io/b_internal.h", {include});

@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The keys that every camera needs, in seven lines.
+/// The keys that every camera needs; they are seven lines.
 constexpr const char* kGood =
     "width: 640\nheight: 480\nfx: 500\nfy: 501\ncx: 320\ncy: 240\ndepth_scale: 1000\n";
 
@@ -52,6 +52,7 @@ TEST(ReadCamera, ReadsWhatWriteCameraWrote) {
   Camera camera = builtin_camera("tum_fr1");
   camera.name = "odd: name # 1";
   camera.depth_scale = 1 / 0.3;  // needs all its digits
+  camera.noise = {0.1 / 3, 0.2 / 3, 0.7 / 3};
   camera.depth = DepthCamera{builtin_camera("icl_nuim").color,
                              SE3::exp((Vector6() << 0.01, -0.02, 0.03, 0.1, 0.2, 0.3).finished())};
   const TemporaryFolder folder;
@@ -59,6 +60,10 @@ TEST(ReadCamera, ReadsWhatWriteCameraWrote) {
   const Camera again = read_camera(folder.path() / "c.yaml");
   EXPECT_EQ(again.name, camera.name);
   EXPECT_EQ(again.depth_scale, camera.depth_scale);
+  EXPECT_EQ(again.readout_time, camera.readout_time);
+  EXPECT_EQ(again.noise.depth_floor, camera.noise.depth_floor);
+  EXPECT_EQ(again.noise.depth_quadratic, camera.noise.depth_quadratic);
+  EXPECT_EQ(again.noise.pixel, camera.noise.pixel);
   expect_equal(again.color, camera.color);
   ASSERT_TRUE(again.depth);
   expect_equal(again.depth->pinhole, camera.depth->pinhole);
@@ -74,24 +79,54 @@ TEST(ReadCamera, KnowsTheReadoutTimeOfARollingShutter) {
             std::string::npos);
 }
 
+TEST(ReadCamera, ReadsTheNoiseOfTheSensor) {
+  const std::string good = kGood;
+  const SensorNoise standard;
+  const SensorNoise none = read_text(good).noise;
+  EXPECT_EQ(none.depth_floor, standard.depth_floor);
+  EXPECT_EQ(none.depth_quadratic, standard.depth_quadratic);
+  EXPECT_EQ(none.pixel, standard.pixel);
+  const SensorNoise all =
+      read_text(good + "noise: {depth_floor: 0.01, depth_quadratic: 0, pixel: 0.5}\n").noise;
+  EXPECT_EQ(all.depth_floor, 0.01);
+  EXPECT_EQ(all.depth_quadratic, 0);
+  EXPECT_EQ(all.pixel, 0.5);
+  const SensorNoise one = read_text(good + "noise:\n  pixel: 2\n").noise;
+  EXPECT_EQ(one.depth_floor, standard.depth_floor);
+  EXPECT_EQ(one.pixel, 2);
+}
+
+TEST(ReadCamera, NamesTheLineOfAMistakeInTheNoise) {
+  const std::string good = std::string(kGood) + "noise:\n";
+  EXPECT_EQ(read_error(good + "  pixel: 1\n  depth_flor: 1\n"),
+            "c.yaml:10: noise: unknown key 'depth_flor'; did you mean 'depth_floor'?");
+  EXPECT_EQ(read_error(good + "  depth_floor: -0.001\n"),
+            "c.yaml:9: depth_floor: -0.001 must not be negative");
+  EXPECT_EQ(read_error(good + "  pixel: small\n"), "c.yaml:9: pixel: expected a number");
+  EXPECT_EQ(read_error(good), "c.yaml:8: noise: a value is missing");
+}
+
 TEST(ReadCamera, NamesTheLineOfAMistake) {
   const std::string good = kGood;
   EXPECT_EQ(read_error(good + "focal: 3\n"),
-            "c.yaml:8: unknown key 'focal'; there are: name, depth_scale, readout_time, "
-            "depth, width, height, fx, fy, cx, cy, distortion");
+            "c.yaml:8: camera: unknown key 'focal'; there are: name, depth_scale, readout_time, "
+            "noise, depth, width, height, fx, fy, cx, cy, distortion");
   EXPECT_EQ(read_error(good + "hight: 3\n"),
-            "c.yaml:8: unknown key 'hight'; did you mean 'height'?");
+            "c.yaml:8: camera: unknown key 'hight'; did you mean 'height'?");
   EXPECT_EQ(read_error(good + "fx: 3\n"), "c.yaml:8: key 'fx' is given twice; remove one");
-  EXPECT_EQ(read_error(good + "distortion: [1, 2]\n"), "c.yaml:8: distortion: expected 5 numbers");
+  EXPECT_EQ(read_error(good + "distortion: [1, 2]\n"),
+            "c.yaml:8: distortion: expected a list of 5 numbers");
   EXPECT_EQ(read_error("width: 640\nheight: 480.5\n"),
             "c.yaml:2: height: expected a number of pixels");
   EXPECT_EQ(read_error("width: 64\nheight: 48\nfx: wide\n"), "c.yaml:3: fx: expected a number");
   EXPECT_EQ(read_error("width: 64\nheight: 48\nfx: .nan\n"), "c.yaml:3: fx: expected a number");
-  EXPECT_THAT(read_error("width: 64\nheight: 48\n"), HasSubstr("the key 'fx' is missing"));
+  EXPECT_THAT(read_error("width: 64\nheight: 48\n"), HasSubstr("camera: the key 'fx' is missing"));
+  EXPECT_EQ(read_error("width: 64\nheight:\nfx: 3\n"), "c.yaml:2: height: a value is missing");
   EXPECT_THAT(read_error("width: [1\n"), HasSubstr("c.yaml:2: not valid YAML"));
   EXPECT_THAT(read_error("- 1\n- 2\n"), HasSubstr("c.yaml:1: expected 'key: value' lines"));
   EXPECT_THAT(read_error(""), HasSubstr("is empty"));
-  EXPECT_THAT(read_error(good + "depth: 5\n"), HasSubstr("c.yaml:8: depth: expected a map"));
+  EXPECT_THAT(read_error(good + "depth: 5\n"),
+              HasSubstr("c.yaml:8: depth: expected 'key: value' entries"));
   EXPECT_THROW(static_cast<void>(read_camera("/nowhere/c.yaml")), InputError);
 }
 

@@ -18,18 +18,19 @@ struct Plane {
   Vector3 normal;
   double distance;
 
-  /// The same plane in another frame.
+  /// Returns the same plane in another frame.
   [[nodiscard]] Plane seen_from(const SE3& T_other_depth) const {
     const Vector3 n = T_other_depth.rotation() * normal;
     return {n, distance + n.dot(T_other_depth.translation())};
   }
-  /// z of the point where the ray of a pixel meets the plane [m].
+  /// Returns z of the point where the ray of a pixel meets the plane [m].
   [[nodiscard]] double depth_at(const PinholeCamera& camera, int u, int v) const {
     return distance / normal.dot(camera.unproject({u, v}));
   }
 };
 
-/// Colour and depth camera side by side like a Kinect's, both with distortion, 0.1 mm units.
+/// Returns a colour and a depth camera side by side as in a Kinect, both with distortion; depth is
+/// in units of 0.1 mm.
 Camera kinect() {
   Camera camera;
   camera.depth_scale = 10000;
@@ -59,12 +60,11 @@ cv::Mat render(const Camera& camera, const Plane& plane) {
   return render(camera, [&](int u, int v) { return plane.depth_at(camera.depth->pinhole, u, v); });
 }
 
-/// Two roundings, to whole units of 0.1 mm, in the image and in the result.
+/// Depth is rounded to whole units of 0.1 mm twice: in the image and in the result [m].
 constexpr double kQuantisation = 0.0001;
 
-/// By how much depth may differ at a colour pixel [m]: the point is the centre of a footprint whose
-/// half size is 0.65 depth pixels of `pixel_ratio` colour pixels each, on a surface that is not
-/// flat.
+/// Returns the largest permitted error of the depth of a colour pixel [m]: the depth is that of the
+/// centre of a footprint, whose half size is 0.65 depth pixels of `pixel_ratio` colour pixels each.
 double tolerance_at(const Plane& plane, const PinholeCamera& camera, int u, int v,
                     double pixel_ratio) {
   const double here = plane.depth_at(camera, u, v);
@@ -73,10 +73,10 @@ double tolerance_at(const Plane& plane, const PinholeCamera& camera, int u, int 
   return kQuantisation + 0.65 * pixel_ratio * per_pixel;
 }
 
-/// Expects `plane` all over `registered`, but for a border that the depth camera does not see.
+/// Expects `plane` all over `registered` except for a border that the depth camera does not see.
 void expect_plane(const Camera& camera, const Plane& plane, const cv::Mat& registered, int border) {
   const Plane seen = plane.seen_from(camera.depth->T_color_depth);
-  // 2 % more for what distortion and perspective make of a pixel's size.
+  // Distortion and perspective change the size of a pixel by up to 2 %.
   const double pixel_ratio = 1.02 * camera.color.fx / camera.depth->pinhole.fx;
   int holes = 0;
   int wrong = 0;
@@ -92,19 +92,22 @@ void expect_plane(const Camera& camera, const Plane& plane, const cv::Mat& regis
   EXPECT_EQ(wrong, 0);
 }
 
-/// 525 instead of 585 px focal length leaves 10 % of the image dark, the baseline 7 px more at 2 m.
+/// Width of the border that the depth camera does not see [px]: 10 % of the image by its focal
+/// length of 585 instead of 525 px, and 7 px by the baseline at 2 m.
 constexpr int kBorder = 60;
 
 TEST(DepthRegistration, KeepsAPlaneAcrossTheView) {
   const Camera camera = kinect();
   const Plane plane{Vector3(0, 0, 1), 2.0};
-  expect_plane(camera, plane, DepthRegistration(camera).to_color(render(camera, plane)), kBorder);
+  expect_plane(camera, plane, DepthRegistration(camera).register_depth(render(camera, plane)),
+               kBorder);
 }
 
 TEST(DepthRegistration, KeepsASlantedPlaneWithoutPinholes) {
   const Camera camera = kinect();
   const Plane plane{Vector3(-0.6, 0.3, 0.742).normalized(), 1.2};
-  expect_plane(camera, plane, DepthRegistration(camera).to_color(render(camera, plane)), kBorder);
+  expect_plane(camera, plane, DepthRegistration(camera).register_depth(render(camera, plane)),
+               kBorder);
 }
 
 TEST(DepthRegistration, ANearObjectHidesWhatIsBehind) {
@@ -112,7 +115,7 @@ TEST(DepthRegistration, ANearObjectHidesWhatIsBehind) {
   const int edge = 320;  // px in the depth image: near on its left, far on its right
   const double near = 1.0;
   const double far = 3.0;
-  const cv::Mat registered = DepthRegistration(camera).to_color(
+  const cv::Mat registered = DepthRegistration(camera).register_depth(
       render(camera, [&](int u, int /*v*/) { return u < edge ? near : far; }));
   const auto edge_in_color = [&](double depth) {
     const Vector3 point = depth * camera.depth->pinhole.unproject({edge - 0.5, 240});
@@ -121,7 +124,8 @@ TEST(DepthRegistration, ANearObjectHidesWhatIsBehind) {
   const int v = static_cast<int>(std::lround(edge_in_color(near).y()));
   const double near_ends = edge_in_color(near).x();
   const double far_begins = edge_in_color(far).x();
-  // The colour camera stands to the right: between the two it sees what the depth camera does not.
+  // The colour camera is on the right: it sees a part of the wall that is hidden from the depth
+  // camera.
   ASSERT_GT(far_begins, near_ends + 5);
   for (int u = 200; u < 450; ++u) {
     const double depth = registered.at<std::uint16_t>(v, u) / camera.depth_scale;
@@ -138,10 +142,9 @@ TEST(DepthRegistration, ANearObjectHidesWhatIsBehind) {
 
 TEST(DepthRegistration, OverlappingSurfacesGiveTheNearer) {
   Camera camera = kinect();
-  // Mirrored: the colour camera on the left, so that the left, near surface slides over the far
-  // one.
+  // With the colour camera on the left, the near surface on the left hides a part of the far one.
   camera.depth->T_color_depth = SE3(Matrix3::Identity(), Vector3(0.05, 0, 0));
-  const cv::Mat registered = DepthRegistration(camera).to_color(
+  const cv::Mat registered = DepthRegistration(camera).register_depth(
       render(camera, [](int u, int /*v*/) { return u < 320 ? 1.0 : 3.0; }));
   const Vector3 edge = camera.depth->pinhole.unproject({319, 240});
   const auto pixel = camera.color.project(camera.depth->T_color_depth * edge);
@@ -160,26 +163,28 @@ TEST(DepthRegistration, FillsALargerColourImage) {
   camera.color.cy = 360;
   camera.depth->pinhole.fx = camera.depth->pinhole.fy = 380;
   const Plane plane{Vector3(0, 0.3, 1).normalized(), 1.5};
-  expect_plane(camera, plane, DepthRegistration(camera).to_color(render(camera, plane)), 40);
+  expect_plane(camera, plane, DepthRegistration(camera).register_depth(render(camera, plane)), 40);
 }
 
 TEST(DepthRegistration, AnEmptyImageStaysEmpty) {
   const DepthRegistration registration(kinect());
-  EXPECT_EQ(cv::countNonZero(registration.to_color(cv::Mat::zeros(480, 640, CV_16UC1))), 0);
+  EXPECT_EQ(cv::countNonZero(registration.register_depth(cv::Mat::zeros(480, 640, CV_16UC1))), 0);
 }
 
 TEST(DepthRegistration, DropsWhatIsBehindTheColourCamera) {
   Camera camera = kinect();
   camera.depth->T_color_depth = SE3(Matrix3::Identity(), Vector3(0, 0, -1));
   const cv::Mat half_a_metre(480, 640, CV_16UC1, cv::Scalar(5000));
-  EXPECT_EQ(cv::countNonZero(DepthRegistration(camera).to_color(half_a_metre)), 0);
+  EXPECT_EQ(cv::countNonZero(DepthRegistration(camera).register_depth(half_a_metre)), 0);
 }
 
 TEST(DepthRegistration, RefusesWhatItCannotRegister) {
   EXPECT_THROW(DepthRegistration{Camera()}, OptionError);
   const DepthRegistration registration(kinect());
-  EXPECT_THROW(static_cast<void>(registration.to_color(cv::Mat::zeros(48, 64, CV_16UC1))), Error);
-  EXPECT_THROW(static_cast<void>(registration.to_color(cv::Mat::zeros(480, 640, CV_8UC1))), Error);
+  EXPECT_THROW(static_cast<void>(registration.register_depth(cv::Mat::zeros(48, 64, CV_16UC1))),
+               Error);
+  EXPECT_THROW(static_cast<void>(registration.register_depth(cv::Mat::zeros(480, 640, CV_8UC1))),
+               Error);
 }
 
 TEST(DepthRegistration, ServesTheTumLayoutWithADepthCameraOfAnotherSize) {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/trajectory_errors.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/tests/test_data.h"
 
 namespace cvo_slam {
@@ -21,7 +21,7 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 /// One line of EVO_REFERENCE.txt: "file key=value ... trans key=value ... rot_deg key=value ...".
 struct EvoLine {
   std::string estimate;
-  std::map<std::string, std::string> settings;  ///< what stands before the figures
+  std::map<std::string, std::string> settings;  ///< the words before the figures
   std::map<std::string, double> translation;    ///< [m]
   std::map<std::string, double> rotation;       ///< [deg]
 };
@@ -37,7 +37,7 @@ EvoLine parse_line(const std::string& text) {
     if (word == "rot_deg") figures = &line.rotation;
     const auto equals = word.find('=');
     if (equals == std::string::npos) {
-      // The unit stands behind "delta=1".
+      // The unit follows "delta=1".
       if (previous.starts_with("delta=")) line.settings["unit"] = word;
       continue;
     }
@@ -52,7 +52,7 @@ EvoLine parse_line(const std::string& text) {
   return line;
 }
 
-/// The truth of a sequence stands beside its estimates.
+/// Returns the file of the true poses, which is in the folder of the estimates.
 std::filesystem::path reference_of(const std::string& estimate) {
   return estimate.starts_with("fr2_desk") ? "fr2_desk_groundtruth.txt"
                                           : "freiburg1_xyz-groundtruth.txt";
@@ -64,7 +64,7 @@ std::vector<MatchedPose> read_matches(const std::string& estimate, double max_di
                    {.max_difference = max_difference});
 }
 
-/// Compares every figure that the line has; the answer is how many these were.
+/// Compares every figure of the line and returns their number.
 int expect_figures(const Statistics& ours, const std::map<std::string, double>& evo) {
   const std::map<std::string, double> by_name = {
       {"rmse", ours.rmse},     {"mean", ours.mean},

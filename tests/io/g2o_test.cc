@@ -26,7 +26,7 @@ class G2o : public testing::Test {
     return read_g2o(folder_.write("graph.g2o", text));
   }
 
-  /// What read_g2o says of a text, without the folder.
+  /// Returns the message of the error that read_g2o throws for a text, without the folder.
   [[nodiscard]] std::string error_of(const std::string& text) const {
     try {
       static_cast<void>(read(text));
@@ -76,7 +76,7 @@ TEST_F(G2o, TheNextVertexIsTheOneWithTheNextLargerId) {
 }
 
 TEST_F(G2o, InformationIsTheUpperTriangleByRows) {
-  // Diagonally dominant, and each value tells its place: row r, column c is rc of two digits.
+  // Diagonally dominant. Each value names its place: row r, column c has the digits rc.
   std::string values;
   for (int row = 1; row <= 6; ++row) {
     for (int column = row; column <= 6; ++column) {

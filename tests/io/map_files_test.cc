@@ -74,7 +74,7 @@ TEST_F(MapFiles, AMapOfPosesAloneIsOne) {
 
 TEST_F(MapFiles, FoldersWithoutAMapAreErrors) {
   EXPECT_THAT(error_of_reading(),
-              HasSubstr("holds no map: none of keyframes.txt, graph.g2o and map.ply; name a folder "
+              HasSubstr("holds no map: none of keyframes.txt, graph.g2o and map.ply; give a folder "
                         "that cvo_slam run has written"));
   EXPECT_THROW(static_cast<void>(read_map(folder_.path() / "none")), InputError);
 }

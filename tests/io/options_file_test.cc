@@ -30,7 +30,7 @@ struct Settings {
   int count = 3;
 };
 
-/// Options of a nested map stand apart, as they do where describe() of two structs share a prefix.
+/// The options of a nested map are not next to each other, as where two structs share a prefix.
 OptionSet describe(Settings& s) {
   return OptionSet()
       .add("tracker.radius", s.radius, {}, "m", "A radius.\nIn two lines.")
@@ -83,7 +83,9 @@ TEST(ReadOptions, NamesTheLineOfAMistake) {
   EXPECT_EQ(read_error("tracker:\n  radius: 1\ntracker.radius: 2\n"),
             "o.yaml:3: option 'tracker.radius' is set twice; remove one");
   EXPECT_EQ(read_error("tracker:\n  radius:\n"), "o.yaml:2: tracker.radius: a value is missing");
-  EXPECT_EQ(read_error("count: [[1]]\n"), "o.yaml:1: count: a list must have plain values");
+  EXPECT_EQ(read_error("count: [[1]]\n"), "o.yaml:1: count: expected a word");
+  EXPECT_EQ(read_error("tracker.inner.scale:\n  - 3\n"),
+            "o.yaml:1: unknown option 'tracker.inner.scale'; did you mean 'tracker.inner.scales'?");
   EXPECT_THAT(read_error("tracker: 5\n"), HasSubstr("o.yaml:1: unknown option 'tracker'"));
   EXPECT_THAT(read_error("just words\n"), HasSubstr("o.yaml:1: expected 'key: value' lines"));
   EXPECT_THAT(read_error("a: b: c\n"), HasSubstr("o.yaml:1: not valid YAML"));
@@ -110,7 +112,7 @@ TEST(OptionsToYaml, WritesEachMapOnceInTheOrderOfTheOptions) {
 TEST(OptionsToYaml, CommentsSayWhatUnitAndRange) {
   Settings settings;
   const std::string text = options_to_yaml(describe(settings), true);
-  // The documentation's own line breaks do not count: it is wrapped at 100 characters.
+  // The line breaks of the documentation are replaced: it is wrapped at 100 characters.
   EXPECT_THAT(text, HasSubstr("  # A radius. In two lines.\n  # [m; any number]\n  radius: 0.5\n"));
   EXPECT_THAT(text, HasSubstr("# A count.\n# [at least 1]\ncount: 3\n"));
 }

@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/prefetch.h"
-
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "cvo_slam/io/dataset.h"
+
 namespace cvo_slam {
 namespace {
 
-/// Frames that know their number; reading frame 7 fails.
+/// Ten frames without images; reading frame 7 fails.
 class NumberedFrames : public Dataset {
  public:
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] const std::string& kind() const override { return name_; }
   [[nodiscard]] const Camera& camera() const override { return camera_; }
+  [[nodiscard]] const std::string& camera_origin() const override { return name_; }
   [[nodiscard]] std::size_t size() const override { return 10; }
   [[nodiscard]] RgbdFrame read(std::size_t index) const override {
     if (index == 7) throw std::runtime_error("seven");
@@ -54,12 +55,12 @@ TEST(FramePrefetcher, LeavesOutFramesBetweenSteps) {
   EXPECT_EQ(indices, std::vector<std::size_t>({0, 3, 6}));
 }
 
-TEST(FramePrefetcher, OfAnEmptyRangeIsDone) {
+TEST(FramePrefetcher, IsDoneAtOnceIfTheRangeIsEmpty) {
   const NumberedFrames data;
   EXPECT_TRUE(FramePrefetcher(data, 3, 3).done());
 }
 
-TEST(FramePrefetcher, HandsOnWhatReadingThrows) {
+TEST(FramePrefetcher, ThrowsWhatReadingThrows) {
   const NumberedFrames data;
   FramePrefetcher frames(data, 6, 10);
   EXPECT_EQ(frames.next().index, 6U);

@@ -28,7 +28,7 @@ void write_frame(const TinySequence& sequence, const std::string& number,
 TEST(SevenScenesDataset, StampsFramesAt30Hz) {
   const TinySequence sequence;
   write_frame(sequence, "000000");
-  write_frame(sequence, "000003");  // a gap stays a gap
+  write_frame(sequence, "000003");  // a gap in the numbers is a gap in time
   const auto data = sequence.open();
   EXPECT_EQ(data->kind(), "7-Scenes");
   ASSERT_EQ(data->size(), 2);
@@ -43,6 +43,7 @@ TEST(SevenScenesDataset, TakesItsOwnCameraUnlessToldOtherwise) {
   write_frame(sequence, "000000");
   const auto data = open_dataset(sequence.path());
   EXPECT_EQ(data->camera().name, "7scenes");
+  EXPECT_EQ(data->camera_origin(), "the layout is that of 7-Scenes");
   EXPECT_THAT(data->read(0).problem, HasSubstr("has 8x6 pixels, its camera 640x480"));
 }
 
@@ -64,8 +65,7 @@ TEST(SevenScenesDataset, MovesPosesToTheColourCamera) {
   const TinySequence sequence;
   write_frame(sequence, "000000", "1 0 0 5\n0 1 0 6\n0 0 1 7\n0 0 0 1\n");
   Camera camera = tiny_camera();
-  // A point at the depth camera's origin is 0.1 m to the left of the colour camera, which therefore
-  // stands 0.1 m to the right of it.
+  // The origin of the depth camera is 0.1 m to the left of the colour camera.
   camera.depth = DepthCamera{camera.color, SE3(Matrix3::Identity(), Vector3(-0.1, 0, 0))};
   const auto data = sequence.open(camera);
   EXPECT_LT((data->reference()[0].T_world_camera.translation() - Vector3(5.1, 6, 7)).norm(), 1e-12);
@@ -106,7 +106,8 @@ TEST(SevenScenesDataset, ReadsTheRealPosesAsRotations) {
   }
 }
 
-/// The mean distance [px] to the nearest colour edge, at most 10, of the near side of depth steps.
+/// Returns the mean distance from the near side of depth steps to the nearest colour edge, each at
+/// most 10 [px].
 double edge_distance(const cv::Mat& color, const cv::Mat& depth) {
   constexpr int kReach = 3;        // px over which a depth step is looked for
   constexpr int kStep = 150;       // mm
@@ -148,7 +149,7 @@ TEST(SevenScenesDataset, RegistrationBringsDepthEdgesToColourEdges) {
   }
   RecordProperty("before_px", std::to_string(before));
   RecordProperty("after_px", std::to_string(after));
-  // Texture puts colour edges everywhere: also a wrong place is a few pixels from one.
+  // Texture has colour edges everywhere: a wrong place is only a few pixels away from one, too.
   EXPECT_LT(after, 0.85 * before);
 }
 

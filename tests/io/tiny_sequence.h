@@ -13,7 +13,7 @@
 
 namespace cvo_slam {
 
-/// A camera small enough that whole sequences are written in a millisecond.
+/// Returns a camera with so few pixels that a sequence is written in a millisecond.
 inline Camera tiny_camera() {
   Camera camera;
   camera.name = "tiny";
@@ -25,7 +25,7 @@ inline Camera tiny_camera() {
   return camera;
 }
 
-/// A folder for a sequence of tiny_camera(), and the images to fill it with.
+/// A temporary folder for a sequence of tiny_camera(), and functions that write files into it.
 class TinySequence {
  public:
   [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
@@ -41,11 +41,12 @@ class TinySequence {
   void write_color(const std::string& relative) const {
     write_image(relative, cv::Mat(6, 8, CV_8UC3, cv::Scalar(10, 20, 30)));
   }
-  /// All pixels have `units`.
+  /// Writes a depth image whose pixels all have the value `units`.
   void write_depth(const std::string& relative, int units = 5000) const {
     write_image(relative, cv::Mat(6, 8, CV_16UC1, cv::Scalar(units)));
   }
-  /// Two good frames in TUM's layout: 0.00 s, 0.10 s; depth 5 ms later.
+  /// Writes two good frames in the layout of TUM RGB-D: colour at 0.00 s and 0.10 s, depth 5 ms
+  /// later.
   void write_tum() const {
     write("rgb.txt", "# color images\n0.00 rgb/0.png\n0.10 rgb/1.png\n");
     write("depth.txt", "# depth maps\n0.005 depth/0.png\n0.105 depth/1.png\n");
@@ -63,7 +64,7 @@ class TinySequence {
   TemporaryFolder folder_;
 };
 
-/// What the InputError of a call says, or "no error"; the folder is cut away.
+/// Returns the message of the exception that a call throws, without the folder, or "no error".
 template <typename Call>
 std::string input_error(const std::filesystem::path& folder, Call call) {
   try {

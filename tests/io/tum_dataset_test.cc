@@ -9,7 +9,6 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/camera_file.h"
-#include "cvo_slam/io/dataset_camera_internal.h"
 #include "cvo_slam/tests/io/tiny_sequence.h"
 #include "cvo_slam/tests/test_data.h"
 
@@ -81,7 +80,7 @@ TEST_P(AssociationFile, IsAcceptedInEitherOrder) {
   for (const bool depth_first : {false, true}) {
     const TinySequence sequence;
     const std::string color = "0.5 rgb/0.png";
-    const std::string depth = "0.7 depth/0.png";  // further than 20 ms: the file's word counts
+    const std::string depth = "0.7 depth/0.png";  // more than 20 ms apart: the list decides
     sequence.write(GetParam(), depth_first ? depth + " " + color : color + " " + depth);
     sequence.write_color("rgb/0.png");
     sequence.write_depth("depth/0.png");
@@ -156,7 +155,10 @@ TEST(TumDataset, TakesACameraFileInTheFolder) {
   const TinySequence sequence;
   sequence.write_tum();
   write_camera(sequence.path() / "camera.yaml", tiny_camera());
-  EXPECT_EQ(open_dataset(sequence.path())->camera().name, "tiny");
+  const auto data = open_dataset(sequence.path());
+  EXPECT_EQ(data->camera().name, "tiny");
+  EXPECT_EQ(data->camera_origin(), "camera.yaml in the folder of the sequence");
+  EXPECT_EQ(sequence.open()->camera_origin(), "given by the caller");
 }
 
 TEST(TumDataset, TakesTheCameraFromTheRecordingsNameInTheList) {
@@ -164,7 +166,9 @@ TEST(TumDataset, TakesTheCameraFromTheRecordingsNameInTheList) {
   sequence.write_tum();
   sequence.write("rgb.txt",
                  "# color images\n# file: 'rgbd_dataset_freiburg2_desk.bag'\n0.00 rgb/0.png\n");
-  EXPECT_EQ(open_dataset(sequence.path())->camera().name, "tum_fr2");
+  const auto data = open_dataset(sequence.path());
+  EXPECT_EQ(data->camera().name, "tum_fr2");
+  EXPECT_EQ(data->camera_origin(), "the sequence is called 'rgbd_dataset_freiburg2_desk.bag'");
 }
 
 TEST(TumDataset, RefusesToGuessACamera) {
@@ -174,19 +178,7 @@ TEST(TumDataset, RefusesToGuessACamera) {
               testing::AllOf(HasSubstr("give --camera"), HasSubstr("tum_fr1, tum_fr2, tum_fr3")));
 }
 
-TEST(CameraNamedBy, KnowsTheNamesOfPublishedSequences) {
-  EXPECT_EQ(camera_named_by("rgbd_dataset_freiburg1_rpy"), "tum_fr1");
-  EXPECT_EQ(camera_named_by("fr2_desk"), "tum_fr2");
-  EXPECT_EQ(camera_named_by("TUM-fr3-office"), "tum_fr3");
-  EXPECT_EQ(camera_named_by("living_room_traj2_frei_png"), "icl_nuim");
-  EXPECT_EQ(camera_named_by("traj0_frei_png"), "icl_nuim");
-  EXPECT_EQ(camera_named_by("icl_office_kt3"), "icl_nuim");
-  for (const char* name : {"fr10", "afr1", "office", "bicl", "room", ""}) {
-    EXPECT_EQ(camera_named_by(name), std::nullopt) << name;
-  }
-}
-
-TEST(TumDataset, AnswersManyThreadsAlike) {
+TEST(TumDataset, ReturnsTheSameToManyThreads) {
   const TinySequence sequence;
   sequence.write_tum();
   const auto data = sequence.open();
@@ -198,7 +190,7 @@ TEST(TumDataset, AnswersManyThreadsAlike) {
   });
 }
 
-/// The first word of each line of a list.
+/// Returns the first word of each line of a list.
 std::set<std::string> listed_stamps(const std::filesystem::path& list) {
   std::ifstream stream(list);
   std::set<std::string> stamps;

@@ -13,7 +13,7 @@
 #include <cvo_slam/core/pose_graph.h>
 #include <cvo_slam/core/se3.h>
 #include <cvo_slam/frontend/tracker.h>
-#include <cvo_slam/io/tum_trajectory.h>
+#include <cvo_slam/io/trajectory_files.h>
 #include <cvo_slam/loop/loop_detector.h>
 
 namespace {

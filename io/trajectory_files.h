@@ -10,18 +10,18 @@
 
 namespace cvo_slam {
 
-/// Reads a trajectory in TUM format: "stamp tx ty tz qx qy qz qw" a line, '#' starts a comment.
-/// Of poses in a row with the same stamp the first is kept: the benchmark's own motion capture has
-/// such lines (fr2/desk). Throws InputError with the line number for a wrong number of values, a
-/// value that is not finite, a quaternion of zero length, or stamps out of order.
+/// Reads a trajectory in TUM format: lines "stamp tx ty tz qx qy qz qw"; '#' starts a comment. Of
+/// successive poses with the same stamp the first is kept: the motion capture of the benchmark
+/// itself has such lines (fr2/desk). Throws InputError with the line for a wrong number of values,
+/// a value that is not finite, a quaternion of length zero, or stamps out of order.
 [[nodiscard]] std::vector<StampedPose> read_tum(const std::filesystem::path& file);
 
-/// As read_tum(), but for files as they are found: poses out of order are sorted, the later ones of
-/// equal stamps dropped, and `notes` says so.
+/// Reads a trajectory like read_tum(), but accepts stamps in any order: poses are sorted, of equal
+/// stamps the first is kept, and a line about it is added to `notes`.
 [[nodiscard]] std::vector<StampedPose> read_tum_in_any_order(const std::filesystem::path& file,
                                                              std::vector<std::string>& notes);
 
-/// Writes a trajectory in TUM format, a line a frame; a frame without a pose becomes a comment line
+/// Writes a trajectory in TUM format, one line per frame; a frame without a pose is a comment line
 /// "# lost <stamp> <reason>". Throws OutputError.
 void write_tum(const std::filesystem::path& file, const Trajectory& trajectory);
 

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// 7-Scenes: Shotton et al., "Scene coordinate regression forests for camera relocalization in RGB-D
+// images", CVPR 2013. Depth is not registered to colour, and poses are those of the depth camera.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,8 +15,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/io/dataset_camera_internal.h"
-#include "cvo_slam/io/sequence_internal.h"
+#include "cvo_slam/io/dataset/formats_internal.h"
 #include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
@@ -27,7 +29,7 @@ struct NumberedFiles {
   Path pose;
 };
 
-/// The files of each frame by its number.
+/// Returns the files of each frame by its number.
 std::map<int, NumberedFiles> list_frames(const Path& folder) {
   static const std::regex kName(
       R"(frame-(\d{1,9})\.(?:(color)\.(?:png|jpe?g)|(depth)\.png|(pose)\.txt))");
@@ -42,14 +44,16 @@ std::map<int, NumberedFiles> list_frames(const Path& folder) {
   return frames;
 }
 
-/// Frames are numbered at 30 Hz. Whole microseconds, as trajectory files have them.
+/// Returns the stamp of a frame at 30 Hz, in whole microseconds as trajectory files have them.
 Timestamp stamp_of(int number) {
   constexpr std::int64_t kMicrosecond = 1000;
   return Timestamp(std::llround(number * 1e6 / 30) * kMicrosecond);
 }
 
-/// A camera-to-world matrix; empty where it is not one, as in frames the reference system lost.
+/// Returns a camera-to-world matrix; empty if `file` is empty or holds none, as for frames that the
+/// reference system lost.
 std::optional<SE3> read_pose(const Path& file) {
+  if (file.empty()) return std::nullopt;
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix;
   const auto words = split_words(read_file(file));
   if (words.size() != static_cast<std::size_t>(matrix.size())) return std::nullopt;
@@ -58,43 +62,13 @@ std::optional<SE3> read_pose(const Path& file) {
     if (!value) return std::nullopt;
     matrix.data()[i] = *value;
   }
-  // Rounding makes a volume of 1 +- 1e-6; a matrix of zeros has none.
-  constexpr double kSmallestVolume = 0.5;
-  if (matrix.topLeftCorner<3, 3>().determinant() < kSmallestVolume) return std::nullopt;
+  // A rounded rotation has a determinant of 1 +- 1e-6, a matrix of zeros has 0.
+  constexpr double kSmallestDeterminant = 0.5;
+  if (matrix.topLeftCorner<3, 3>().determinant() < kSmallestDeterminant) return std::nullopt;
   return SE3::from_matrix(matrix);
 }
 
-class ReferenceReader {
- public:
-  explicit ReferenceReader(const Camera& camera)
-      : T_depth_color_(camera.depth ? camera.depth->T_color_depth.inverse() : SE3()) {}
-
-  /// Poses in the files are those of the depth camera; ours are those of the colour camera.
-  void add(Timestamp stamp, const Path& file) {
-    const auto T_world_depth = file.empty() ? std::nullopt : read_pose(file);
-    if (T_world_depth) {
-      poses_.push_back({stamp, *T_world_depth * T_depth_color_});
-    } else {
-      ++unusable_;
-    }
-  }
-
-  void finish(Sequence& sequence) {
-    sequence.reference = std::move(poses_);
-    if (unusable_ == 0) return;
-    sequence.notes.push_back(fmt::format(
-        "{} frames have no usable pose file (missing, not finite, or all zero)", unusable_));
-  }
-
- private:
-  SE3 T_depth_color_;
-  std::vector<StampedPose> poses_;
-  std::size_t unusable_ = 0;
-};
-
-}  // namespace
-
-bool is_seven_scenes_folder(const Path& folder) {
+bool recognise(const Path& folder) {
   static const std::regex kName(R"(frame-\d{1,9}\.color\.(png|jpe?g))");
   const std::filesystem::directory_iterator files(folder);
   return std::any_of(begin(files), end(files), [](const auto& entry) {
@@ -102,13 +76,14 @@ bool is_seven_scenes_folder(const Path& folder) {
   });
 }
 
-Sequence open_seven_scenes_sequence(const Path& folder, const DatasetOptions& options) {
+std::optional<SuggestedCamera> suggest_camera(const Path& /*folder*/) {
+  return SuggestedCamera{"7scenes", "the layout is that of 7-Scenes"};
+}
+
+Sequence open(const Path& folder, const Camera& camera, double /*max_stamp_difference*/) {
   Sequence sequence;
-  sequence.name = folder_name(folder);
-  sequence.kind = "7-Scenes";
-  sequence.camera = choose_camera(folder, options, "7scenes");
   sequence.invalid_depth = 65535;
-  ReferenceReader reference(sequence.camera);
+  const SE3 T_depth_color = camera.depth ? camera.depth->T_color_depth.inverse() : SE3();
   for (const auto& [number, files] : list_frames(folder)) {
     if (files.color.empty() || files.depth.empty()) {
       sequence.unpaired.color += files.color.empty() ? 0 : 1;
@@ -117,13 +92,28 @@ Sequence open_seven_scenes_sequence(const Path& folder, const DatasetOptions& op
     }
     const Timestamp stamp = stamp_of(number);
     sequence.frames.push_back({stamp, stamp, files.color, files.depth});
-    reference.add(stamp, files.pose);
+    const auto T_world_depth = read_pose(files.pose);
+    if (T_world_depth) sequence.reference.push_back({stamp, *T_world_depth * T_depth_color});
   }
   if (sequence.frames.empty()) {
     throw InputError(folder, "no frame has both a .color and a .depth image");
   }
-  reference.finish(sequence);
+  const std::size_t unusable = sequence.frames.size() - sequence.reference.size();
+  if (unusable > 0) {
+    sequence.notes.push_back(fmt::format(
+        "{} frames have no usable pose file (missing, not finite, or all zero)", unusable));
+  }
   return sequence;
 }
+
+}  // namespace
+
+constinit const DatasetFormat kSevenScenesFormat = {
+    .name = "7-Scenes",
+    .layout = "frame-000000.color.png and .depth.png",
+    .recognise = recognise,
+    .suggest_camera = suggest_camera,
+    .open = open,
+};
 
 }  // namespace cvo_slam

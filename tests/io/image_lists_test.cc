@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/io/stamp_association_internal.h"
+#include "cvo_slam/io/dataset/image_lists_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -33,7 +33,7 @@ TEST(AssociateStamps, TheClosestPairOfAllGoesFirst) {
               ElementsAre(Pair(1, 0)));
 }
 
-TEST(AssociateStamps, OfEqualDifferencesTheEarlierGoesFirst) {
+TEST(AssociateStamps, TheEarlierOfEqualDifferencesGoesFirst) {
   EXPECT_THAT(associate_stamps(milliseconds({0, 20}), milliseconds({10}), 0.02),
               ElementsAre(Pair(0, 0)));
 }
@@ -43,6 +43,18 @@ TEST(AssociateStamps, TheLimitIsInclusive) {
               ElementsAre(Pair(0, 0)));
   EXPECT_THAT(associate_stamps(milliseconds({0}), milliseconds({21}), 0.02), IsEmpty());
   EXPECT_THAT(associate_stamps(milliseconds({0}), {}, 0.02), IsEmpty());
+}
+
+TEST(CameraNamedBy, KnowsTheNamesOfPublishedSequences) {
+  EXPECT_EQ(camera_named_by("rgbd_dataset_freiburg1_rpy"), "tum_fr1");
+  EXPECT_EQ(camera_named_by("fr2_desk"), "tum_fr2");
+  EXPECT_EQ(camera_named_by("TUM-fr3-office"), "tum_fr3");
+  EXPECT_EQ(camera_named_by("living_room_traj2_frei_png"), "icl_nuim");
+  EXPECT_EQ(camera_named_by("traj0_frei_png"), "icl_nuim");
+  EXPECT_EQ(camera_named_by("icl_office_kt3"), "icl_nuim");
+  for (const char* name : {"fr10", "afr1", "office", "bicl", "room", ""}) {
+    EXPECT_EQ(camera_named_by(name), std::nullopt) << name;
+  }
 }
 
 }  // namespace

@@ -1,48 +1,43 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 #include <array>
-#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/io/stamp_order_internal.h"
 #include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-StampedPose parse_pose(const std::vector<std::string>& words, const std::filesystem::path& file,
-                       long line) {
+StampedPose parse_pose(const TextLine& line, const std::filesystem::path& file) {
+  const auto fail = [&](const std::string& problem) {
+    throw InputError(file, line.number, problem);
+  };
   constexpr std::size_t kValues = 8;
-  if (words.size() != kValues) {
-    throw InputError(
-        file, line,
-        fmt::format("expected 8 values 'stamp tx ty tz qx qy qz qw', found {}", words.size()));
+  if (line.words.size() != kValues) {
+    fail(
+        fmt::format("expected 8 values 'stamp tx ty tz qx qy qz qw', found {}", line.words.size()));
   }
-  const auto stamp = Timestamp::parse(words[0]);
-  if (!stamp) {
-    throw InputError(file, line, fmt::format("'{}' is not a time stamp in seconds", words[0]));
-  }
+  const Timestamp stamp = parse_stamp(line, 0, file);
   std::array<double, 7> value{};
   for (std::size_t i = 0; i < value.size(); ++i) {
-    const auto parsed = parse_finite(words[i + 1]);
+    const auto parsed = parse_finite(line.words[i + 1]);
     if (!parsed) {
-      throw InputError(
-          file, line,
-          fmt::format("'{}' is not a finite number; repair or remove the line", words[i + 1]));
+      fail(
+          fmt::format("'{}' is not a finite number; repair or remove the line", line.words[i + 1]));
     }
     value[i] = *parsed;
   }
   const auto& [tx, ty, tz, qx, qy, qz, qw] = value;
   if (qx * qx + qy * qy + qz * qz + qw * qw < 1e-12) {
-    throw InputError(file, line, "the quaternion has length zero; repair or remove the line");
+    fail("the quaternion has length zero; repair or remove the line");
   }
-  return {*stamp, SE3::from_quaternion(qx, qy, qz, qw, {tx, ty, tz})};
+  return {stamp, SE3::from_quaternion(qx, qy, qz, qw, {tx, ty, tz})};
 }
 
 std::string format_pose(const StampedPose& pose) {
@@ -57,7 +52,7 @@ std::string format_pose(const StampedPose& pose) {
 std::vector<StampedPose> read_tum(const std::filesystem::path& file) {
   std::vector<StampedPose> poses;
   for (const auto& line : read_word_lines(file)) {
-    const StampedPose pose = parse_pose(line.words, file, line.number);
+    const StampedPose pose = parse_pose(line, file);
     if (!poses.empty() && poses.back().stamp == pose.stamp) continue;
     if (!poses.empty() && pose.stamp < poses.back().stamp) {
       throw InputError(
@@ -73,7 +68,7 @@ std::vector<StampedPose> read_tum_in_any_order(const std::filesystem::path& file
                                                std::vector<std::string>& notes) {
   std::vector<StampedPose> poses;
   for (const auto& line : read_word_lines(file)) {
-    poses.push_back(parse_pose(line.words, file, line.number));
+    poses.push_back(parse_pose(line, file));
   }
   repair_stamp_order(poses, file.filename().string(), notes);
   return poses;

@@ -5,21 +5,21 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/io/image_file_internal.h"
-#include "cvo_slam/io/text_internal.h"
+#include "cvo_slam/io/image_files_internal.h"
 
 namespace cvo_slam {
 namespace {
 
 using Path = std::filesystem::path;
 
-/// Whether a PNG or JPEG file has its end. OpenCV fills the rest of a cut JPEG with grey without a
-/// word, and libpng writes to stderr.
+/// Returns true if a PNG or JPEG file has its end. OpenCV silently fills the rest of a JPEG file
+/// that is cut off with grey, and libpng writes to stderr.
 bool is_whole(std::string_view bytes) {
   constexpr std::string_view kPngStart("\x89PNG\r\n\x1a\n", 8);
   constexpr std::string_view kPngEnd("IEND\xae\x42\x60\x82", 8);
@@ -34,9 +34,9 @@ bool is_whole(std::string_view bytes) {
   return !bytes.empty();
 }
 
-/// Decoded as it is: no conversion, no turning by the EXIF orientation.
+/// Returns the image as it is: not converted, not rotated by its EXIF orientation.
 cv::Mat decode(const Path& file) {
-  // Not cv::imread, which writes a warning to stderr where the file is missing.
+  // Not cv::imread, which writes a warning to stderr if the file is missing.
   const std::string bytes = read_file(file);
   if (!is_whole(bytes)) throw InputError(file, "the image file is empty or cut off");
   cv::Mat image;
@@ -57,8 +57,7 @@ void check_size(const cv::Mat& image, cv::Size size, const Path& file) {
                                      image.rows, size.width, size.height));
 }
 
-}  // namespace
-
+/// Returns an 8-bit image: CV_8UC3 (blue, green, red; an alpha channel is dropped) or CV_8UC1.
 cv::Mat read_color_image(const Path& file, cv::Size size) {
   cv::Mat image = decode(file);
   if (image.depth() != CV_8U || image.channels() == 2) {
@@ -71,6 +70,7 @@ cv::Mat read_color_image(const Path& file, cv::Size size) {
   return image;
 }
 
+/// Returns a CV_16UC1 image.
 cv::Mat read_depth_image(const Path& file, cv::Size size) {
   cv::Mat image = decode(file);
   if (image.type() != CV_16UC1) {
@@ -80,6 +80,31 @@ cv::Mat read_depth_image(const Path& file, cv::Size size) {
   }
   check_size(image, size, file);
   return image;
+}
+
+cv::Size image_size(const PinholeCamera& camera) { return {camera.width, camera.height}; }
+
+}  // namespace
+
+FrameReader::FrameReader(const Camera& camera, std::uint16_t invalid_depth)
+    : camera_(camera), invalid_depth_(invalid_depth) {
+  if (camera.depth) registration_.emplace(camera);
+}
+
+RgbdFrame FrameReader::read(const Path& color, const Path& depth) const {
+  RgbdFrame frame;
+  frame.color = read_color_image(color, image_size(camera_.color));
+  frame.depth = read_depth(depth);
+  return frame;
+}
+
+cv::Mat FrameReader::read_depth(const Path& file) const {
+  const PinholeCamera& pinhole = camera_.depth ? camera_.depth->pinhole : camera_.color;
+  cv::Mat depth = read_depth_image(file, image_size(pinhole));
+  if (invalid_depth_ != 0) depth.setTo(0, depth == invalid_depth_);
+  if (registration_) depth = registration_->register_depth(depth);
+  if (cv::countNonZero(depth) == 0) throw InputError(file, "the depth image has no valid pixel");
+  return depth;
 }
 
 bool is_depth_image(const Path& file) {

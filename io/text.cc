@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/text_internal.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iterator>
 #include <sstream>
 
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
 
@@ -26,6 +26,13 @@ std::vector<std::string> split_words(const std::string& line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
+std::string to_lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
 std::vector<TextLine> read_word_lines(const std::filesystem::path& file) {
   std::istringstream stream(read_file(file));
   std::vector<TextLine> lines;
@@ -39,11 +46,11 @@ std::vector<TextLine> read_word_lines(const std::filesystem::path& file) {
   return lines;
 }
 
-std::string to_lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
+Timestamp parse_stamp(const TextLine& line, std::size_t word, const std::filesystem::path& file) {
+  const auto stamp = Timestamp::parse(line.words[word]);
+  if (stamp) return *stamp;
+  throw InputError(file, line.number,
+                   fmt::format("'{}' is not a time stamp in seconds", line.words[word]));
 }
 
 }  // namespace cvo_slam

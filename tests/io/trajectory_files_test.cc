@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class TumTrajectory : public testing::Test {
+class TrajectoryFiles : public testing::Test {
  protected:
   std::vector<StampedPose> read(const std::string& text) {
     return read_tum(folder_.write("poses.txt", text));
@@ -31,7 +31,7 @@ class TumTrajectory : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(TumTrajectory, RoundTripKeepsEveryDigit) {
+TEST_F(TrajectoryFiles, RoundTripKeepsEveryDigit) {
   const std::string text =
       "# stamp tx ty tz qx qy qz qw (T_world_camera)\n"
       "1305031102.1604 1.344379000 -0.627206000 1.661754123 0.000000000 0.000000000 0.600000000 "
@@ -43,7 +43,7 @@ TEST_F(TumTrajectory, RoundTripKeepsEveryDigit) {
   EXPECT_EQ(read_text(file), text);
 }
 
-TEST_F(TumTrajectory, LostFramesAreCommentsInTheirPlace) {
+TEST_F(TrajectoryFiles, LostFramesAreCommentsInTheirPlace) {
   const SE3 pose;
   const Trajectory trajectory{{{Timestamp(2000000000, 1), pose}, {Timestamp(4000000000, 1), pose}},
                               {{Timestamp(1000000000, 1), "no depth"},
@@ -59,23 +59,23 @@ TEST_F(TumTrajectory, LostFramesAreCommentsInTheirPlace) {
   EXPECT_EQ(read_tum(file).size(), 2U);
 }
 
-TEST_F(TumTrajectory, NormalisesTheQuaternion) {
+TEST_F(TrajectoryFiles, NormalisesTheQuaternion) {
   const auto poses = read("1 0 0 0 0 0 0 2\n");
   ASSERT_EQ(poses.size(), 1U);
   EXPECT_TRUE(poses[0].T_world_camera.rotation().isIdentity(1e-15));
 }
 
-TEST_F(TumTrajectory, SkipsCommentsBlankLinesAndForeignLineEnds) {
+TEST_F(TrajectoryFiles, SkipsCommentsBlankLinesAndForeignLineEnds) {
   EXPECT_EQ(read("# c\n\n  \n1 0 0 0 0 0 0 1\r\n\t2 0 0 0 0 0 0 1").size(), 2U);
 }
 
-TEST_F(TumTrajectory, OfRepeatedStampsTheFirstIsKept) {
+TEST_F(TrajectoryFiles, TheFirstOfRepeatedStampsIsKept) {
   const auto poses = read("1 5 0 0 0 0 0 1\n1 6 0 0 0 0 0 1\n2 7 0 0 0 0 0 1\n");
   ASSERT_EQ(poses.size(), 2U);
   EXPECT_EQ(poses[0].T_world_camera.translation().x(), 5);
 }
 
-TEST_F(TumTrajectory, EachErrorNamesItsLine) {
+TEST_F(TrajectoryFiles, EachErrorNamesItsLine) {
   expect_error("# c\n1 0 0 0 0 0 0\n", "2: expected 8 values");
   expect_error("1 0 0 0 0 0 0 1 9\n", "1: expected 8 values");
   expect_error("1 0 0 0 0 0 0 1\nx 0 0 0 0 0 0 1\n", "2: 'x' is not a time stamp");
@@ -86,7 +86,7 @@ TEST_F(TumTrajectory, EachErrorNamesItsLine) {
   expect_error("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n", "2: stamp 1 is before the one above");
 }
 
-TEST_F(TumTrajectory, MissingFileAndFullDiskAreErrors) {
+TEST_F(TrajectoryFiles, MissingFileAndFullDiskAreErrors) {
   EXPECT_THROW(static_cast<void>(read_tum(folder_.path() / "missing.txt")), InputError);
   EXPECT_THROW(write_tum(folder_.path() / "no" / "folder.txt", {}), OutputError);
   EXPECT_THROW(write_tum("/dev/full", {}), OutputError);

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/io/dataset/formats_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+/// ICL-NUIM stands before TUM RGB-D because its layout is a special case of that one.
+constexpr std::array kFormats = {
+    &kIclNuimFormat,
+    &kTumFormat,
+    &kSevenScenesFormat,
+};
+
+}  // namespace
+
+std::span<const DatasetFormat* const> all_dataset_formats() { return kFormats; }
+
+std::string dataset_formats() {
+  std::string text;
+  for (const DatasetFormat* format : kFormats) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", format->name, format->layout);
+  }
+  return text;
+}
+
+std::string folder_name(const std::filesystem::path& folder) {
+  return std::filesystem::canonical(folder).filename().string();
+}
+
+}  // namespace cvo_slam

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lists of image files with their stamps, the layout of TUM RGB-D, which other data sets share:
+// rgb.txt and depth.txt, or a file that lists pairs.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cvo_slam/core/timestamp.h"
+#include "cvo_slam/io/dataset/formats_internal.h"
+
+namespace cvo_slam {
+
+/// Returns the pairs (index in a, index in b) of stamps that differ by at most `max_difference`
+/// [s]. The closest pair of all is taken first, then the closest of the remaining stamps, and so
+/// on; no stamp is in two pairs. Of equal differences the first in a, then in b, is taken. Both
+/// lists and the result are in ascending order.
+std::vector<std::pair<std::size_t, std::size_t>> associate_stamps(const std::vector<Timestamp>& a,
+                                                                  const std::vector<Timestamp>& b,
+                                                                  double max_difference);
+
+/// Returns associations.txt or what other programs call it; empty if the folder has none.
+std::optional<std::filesystem::path> find_association_file(const std::filesystem::path& folder);
+
+struct AssociationList {
+  std::vector<FrameFiles> frames;
+  bool depth_first = false;  ///< true if each line names the depth image before the colour image
+};
+
+/// Reads lines "stamp file stamp file"; paths are relative to the list's folder. Which image is the
+/// depth image is known from the words depth, rgb and color in the paths of the first line, else
+/// from the images themselves. Adds what was repaired to `notes`. Throws InputError.
+AssociationList read_association_list(const std::filesystem::path& list,
+                                      std::vector<std::string>& notes);
+
+/// Returns true if all stamps are integers: numbers of frames instead of seconds.
+bool has_frame_numbers(const std::vector<FrameFiles>& frames);
+
+/// Opens the sequence that an association file lists, else the one of rgb.txt and depth.txt.
+/// The reference is groundtruth.txt or *.gt.freiburg. Throws InputError.
+Sequence open_image_lists(const std::filesystem::path& folder, double max_stamp_difference);
+
+/// Returns the camera that the name of a published sequence calls for: the name of the folder, else
+/// the name of the recording, which TUM's rgb.txt has in a comment.
+std::optional<SuggestedCamera> camera_of_recording(const std::filesystem::path& folder);
+
+/// Returns the built-in camera that the name of a published sequence calls for, e.g. for
+/// "rgbd_dataset_freiburg1_rpy", "fr1_rpy" or "living_room_traj2_frei_png".
+std::optional<std::string> camera_named_by(const std::string& sequence_name);
+
+}  // namespace cvo_slam
