@@ -16,8 +16,7 @@
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/synthetic/output_folder_internal.h"
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
