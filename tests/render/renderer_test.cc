@@ -93,7 +93,7 @@ TEST(Renderer, ADenseSurfaceHasNoHoles) {
 
 TEST(Renderer, OpenGlDrawsWhatTheSplatterDraws) {
   const MapScene scene = floor_scene();
-  const auto renderers = all_renderers();
+  const auto& renderers = all_renderers();
   for (const ViewKind kind : {ViewKind::kIso, ViewKind::kTop, ViewKind::kFollow}) {
     ViewOptions options = kSmall;
     options.kind = kind;

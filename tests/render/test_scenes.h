@@ -60,17 +60,20 @@ std::vector<cv::Point> pixels_where(const cv::Mat& image, const Predicate& predi
 
 inline bool is_red(const cv::Vec3b& bgr) { return bgr[2] > 120 && bgr[0] < 60 && bgr[1] < 60; }
 
-/// Returns all renderers that work on this machine.
-inline std::vector<std::unique_ptr<Renderer>> all_renderers() {
-  std::vector<std::unique_ptr<Renderer>> renderers;
-  renderers.push_back(make_renderer(RendererKind::kSplat));
-  renderers.push_back(make_renderer(RendererKind::kOsmesa));
-  try {
-    renderers.push_back(make_renderer(RendererKind::kEgl));
-  } catch (const Error&) {
-    // EGL may be missing or need a surface on this machine; OSMesa is in apt-packages.txt.
-  }
-  return renderers;
+/// Returns all renderers that work on this machine. They are made once for all tests.
+inline const std::vector<std::unique_ptr<Renderer>>& all_renderers() {
+  static const auto all = [] {
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    renderers.push_back(make_renderer(RendererKind::kSplat));
+    renderers.push_back(make_renderer(RendererKind::kOsmesa));
+    try {
+      renderers.push_back(make_renderer(RendererKind::kEgl));
+    } catch (const Error&) {
+      // EGL may be missing or need a surface on this machine; OSMesa is in apt-packages.txt.
+    }
+    return renderers;
+  }();
+  return all;
 }
 
 }  // namespace cvo_slam::render
