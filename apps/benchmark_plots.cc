@@ -6,7 +6,7 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/plot/comparison_plot.h"
-#include "cvo_slam/plot/plot_file.h"
+#include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 namespace {

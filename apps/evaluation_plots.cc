@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/plot/plot_file.h"
+#include "cvo_slam/plot/figure.h"
 #include "cvo_slam/plot/trajectory_plot.h"
 
 namespace cvo_slam {
@@ -24,11 +24,6 @@ std::vector<ErrorCurve> curves_of(const EvaluationReport& report) {
 }
 
 }  // namespace
-
-void write_figure(const std::filesystem::path& stem, const Figure& figure) {
-  write_png(stem.string() + ".png", figure);
-  write_svg(stem.string() + ".svg", figure);
-}
 
 std::vector<StampedPose> reference_during(const std::vector<StampedPose>& reference,
                                           const std::vector<StampedPose>& estimate, double offset) {

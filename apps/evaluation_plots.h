@@ -18,9 +18,6 @@ struct NamedFigure {
   Figure figure;
 };
 
-/// Writes <stem>.png and <stem>.svg. Throws OutputError.
-void write_figure(const std::filesystem::path& stem, const Figure& figure);
-
 /// The part of the reference from the estimate's begin to its end; all of it where that is empty.
 /// `offset` [s] is what leads from the estimate's stamps to the reference's.
 [[nodiscard]] std::vector<StampedPose> reference_during(const std::vector<StampedPose>& reference,

@@ -58,14 +58,14 @@ double median_depth(const PointCloud& cloud) {
 }
 
 /// From the right of camera a and above it: so that depth is seen too.
-render::View view_beside(const FramePair& pair, double depth) {
+render::MapView view_beside(const FramePair& pair, double depth) {
   constexpr double kWidth = 880;  // [px]
   constexpr double kAzimuth = -18 * std::numbers::pi / 180;
   constexpr double kElevation = -10 * std::numbers::pi / 180;
   constexpr double kBack = 1.2;  // times the depth
   const PinholeCamera& camera = pair.camera.color;
   const double scale = kWidth / camera.width;
-  render::View view;
+  render::MapView view;
   view.camera = {.width = static_cast<int>(kWidth),
                  .height = static_cast<int>(std::lround(scale * camera.height)),
                  .fx = scale * std::abs(camera.fx),
@@ -79,8 +79,8 @@ render::View view_beside(const FramePair& pair, double depth) {
 }
 
 Panel surface_panel(const std::string& title, const FramePair& pair, const SE3& T_a_b,
-                    const render::View& view, render::Renderer& renderer) {
-  render::Scene scene;
+                    const render::MapView& view, render::Renderer& renderer) {
+  render::MapScene scene;
   scene.ground = false;
   scene.points = surface_of(pair.a, pair.camera, SE3(), kColorOfA);
   const auto points_of_b = surface_of(pair.b, pair.camera, T_a_b, kColorOfB);
@@ -137,7 +137,7 @@ Panel sparsity_panel(const FramePair& pair, const FrameRegistration& registratio
 Figure registration_figure(const FramePair& pair, const FrameRegistration& registration,
                            const KernelOptions& kernel) {
   const auto renderer = render::make_renderer();
-  const render::View view = view_beside(pair, median_depth(registration.points_a));
+  const render::MapView view = view_beside(pair, median_depth(registration.points_a));
   const SE3& T = registration.result.T_fixed_moving;
   Figure figure;
   figure.columns = 7;

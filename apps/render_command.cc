@@ -52,7 +52,7 @@ const std::vector<std::pair<std::string, Vector3>>& up_directions() {
   return directions;
 }
 
-Vector3 estimate_up(const render::Scene& scene) {
+Vector3 estimate_up(const render::MapScene& scene) {
   std::vector<SE3> cameras = scene.keyframes;
   for (const auto& path : scene.paths) {
     for (const auto& pose : path.poses) cameras.push_back(pose.T_world_camera);
@@ -61,22 +61,22 @@ Vector3 estimate_up(const render::Scene& scene) {
 }
 
 /// As the user says; nothing where that is "auto".
-void apply_up(const std::string& name, render::Scene& scene) {
+void apply_up(const std::string& name, render::MapScene& scene) {
   for (const auto& [direction, up] : up_directions()) {
     if (direction == name) scene.up = up;
   }
 }
 
 /// A single trajectory is coloured by time; of several, each has its own colour.
-void choose_colors(PathColor color, render::Scene& scene) {
+void choose_colors(PathColor color, render::MapScene& scene) {
   if (color != PathColor::kTime || scene.paths.size() != 1) return;
   render::Path path = std::move(scene.paths[0]);
   scene.paths.clear();
   render::add_path_by_time(scene, std::move(path.label), std::move(path.poses));
 }
 
-render::Scene load_scene(const RenderArguments& arguments) {
-  render::Scene scene;
+render::MapScene load_scene(const RenderArguments& arguments) {
+  render::MapScene scene;
   for (const auto& input : arguments.inputs) add_to_scene(scene, input);
   const bool empty = scene.points.empty() && scene.keyframes.empty() &&
                      std::all_of(scene.paths.begin(), scene.paths.end(),
@@ -119,7 +119,7 @@ render::ViewOptions view_of_frame(const RenderArguments& arguments, int frame) {
   return view;
 }
 
-void draw_tour(const RenderArguments& arguments, const render::Scene& scene,
+void draw_tour(const RenderArguments& arguments, const render::MapScene& scene,
                render::Renderer& renderer) {
   render::MotionJpeg video;
   for (int frame = 0; frame < arguments.frames; ++frame) {
@@ -145,7 +145,7 @@ int run_render(RenderArguments arguments) {
   if (arguments.out.empty() && arguments.video.empty()) {
     throw OptionError("say where to write the picture: -o out.png, or --video out.avi");
   }
-  const render::Scene scene = load_scene(arguments);
+  const render::MapScene scene = load_scene(arguments);
   const auto renderer = render::make_renderer(arguments.renderer);
   for (const auto& note : render::scene_notes(scene)) fmt::print(stderr, "note: {}\n", note);
   if (arguments.frames > 0) {

@@ -39,10 +39,10 @@ std::vector<StampedPose> tracked_keyframes(const OdometryRun& run,
 }
 
 /// The scene of the map and the path in it.
-render::Scene make_run_scene(const Map& map, const Trajectory& trajectory,
-                             const std::vector<StampedPose>& reference,
-                             std::vector<std::string>& notes) {
-  render::Scene scene = render::make_scene(map);
+render::MapScene make_run_scene(const Map& map, const Trajectory& trajectory,
+                                const std::vector<StampedPose>& reference,
+                                std::vector<std::string>& notes) {
+  render::MapScene scene = render::make_scene(map);
   render::add_path_by_time(scene, "trajectory", trajectory.poses);
   if (reference.empty() || trajectory.poses.empty()) return scene;
   try {
@@ -83,7 +83,7 @@ cv::Mat write_run_map(const std::filesystem::path& folder, RunMap& run_map,
   const double start = process_cpu_seconds();
   write_map(folder, run_map.map);
   if (!run_map.has_points) return {};
-  const render::Scene scene = make_run_scene(run_map.map, trajectory, reference, notes);
+  const render::MapScene scene = make_run_scene(run_map.map, trajectory, reference, notes);
   const auto renderer = render::make_renderer();
   const render::Picture picture = render::draw_picture(scene, kView, *renderer);
   for (const auto& note : picture.notes) notes.push_back("map.png: " + note);

@@ -23,15 +23,15 @@ namespace {
 constexpr std::array kPathColors = {kBlue, kVermilion, kGreen, kPurple, kOrange, kSkyBlue};
 constexpr Color kReferenceColor{96, 96, 96};
 
-void append(render::Scene& scene, const Map& map) {
-  render::Scene added = render::make_scene(map);
+void append(render::MapScene& scene, const Map& map) {
+  render::MapScene added = render::make_scene(map);
   std::move(added.points.begin(), added.points.end(), std::back_inserter(scene.points));
   std::move(added.keyframes.begin(), added.keyframes.end(), std::back_inserter(scene.keyframes));
   std::move(added.constraints.begin(), added.constraints.end(),
             std::back_inserter(scene.constraints));
 }
 
-void add_path(render::Scene& scene, std::string label, std::vector<StampedPose> poses) {
+void add_path(render::MapScene& scene, std::string label, std::vector<StampedPose> poses) {
   const Color color = kPathColors[scene.paths.size() % kPathColors.size()];
   scene.paths.push_back({std::move(label), std::move(poses), color});
 }
@@ -45,7 +45,7 @@ Vector3 up_of_reference(const Matrix3& R_scene_reference, const Vector3& estimat
 
 }  // namespace
 
-void add_to_scene(render::Scene& scene, const std::filesystem::path& input) {
+void add_to_scene(render::MapScene& scene, const std::filesystem::path& input) {
   std::vector<std::string> notes;
   const auto extension = input.extension();
   if (std::filesystem::is_directory(input)) {
@@ -63,7 +63,7 @@ void add_to_scene(render::Scene& scene, const std::filesystem::path& input) {
   }
 }
 
-void add_reference(render::Scene& scene, const std::vector<StampedPose>& reference,
+void add_reference(render::MapScene& scene, const std::vector<StampedPose>& reference,
                    PathColor color) {
   if (scene.paths.empty()) throw DataError("no trajectory that the reference could be fitted to");
   render::Path& path = scene.paths.front();

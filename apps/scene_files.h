@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cvo_slam/core/trajectory.h"
-#include "cvo_slam/render/scene.h"
+#include "cvo_slam/render/map_scene.h"
 
 namespace cvo_slam {
 
@@ -16,12 +16,12 @@ enum class PathColor { kTime, kError, kPlain };
 
 /// Adds what a file or folder holds: the folder of a run (map and trajectory), a graph (.g2o),
 /// points (.ply), or else a trajectory in TUM format. Throws InputError.
-void add_to_scene(render::Scene& scene, const std::filesystem::path& input);
+void add_to_scene(render::MapScene& scene, const std::filesystem::path& input);
 
 /// Adds the true path, fitted to the scene's first one. Where its z, which motion capture has up,
 /// is within 45 degrees of the scene's up it is taken for that. With kError the first path is
 /// coloured by its distance from it. Throws DataError where the two have too few times in common.
-void add_reference(render::Scene& scene, const std::vector<StampedPose>& reference,
+void add_reference(render::MapScene& scene, const std::vector<StampedPose>& reference,
                    PathColor color);
 
 }  // namespace cvo_slam

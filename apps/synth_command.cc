@@ -20,7 +20,6 @@
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"
-#include "cvo_slam/synthetic/world_file.h"
 
 namespace cvo_slam {
 namespace {

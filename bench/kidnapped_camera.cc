@@ -23,7 +23,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/slam/slam.h"
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sensor.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"

@@ -6,7 +6,7 @@
 
 #include "cvo_slam/core/map.h"
 #include "cvo_slam/render/picture.h"
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"
 
@@ -40,9 +40,9 @@ void fuse_room(benchmark::State& state) {
 BENCHMARK(fuse_room)->Unit(benchmark::kMillisecond);
 
 /// The room with voxels of 5 mm: about a million points.
-render::Scene large_scene() {
+render::MapScene large_scene() {
   const Camera camera = synthetic::synthetic_camera(640, 480);
-  render::Scene scene;
+  render::MapScene scene;
   scene.up = Vector3::UnitZ();
   const FusionOptions options{.pixel_step = 1, .voxel_size = 0.005, .min_samples = 1};
   scene.points = fuse_points(room_frames(camera, 1), camera, options);
@@ -51,7 +51,7 @@ render::Scene large_scene() {
 }
 
 void draw_million(benchmark::State& state, render::RendererKind kind) {
-  static const render::Scene scene = large_scene();
+  static const render::MapScene scene = large_scene();
   for ([[maybe_unused]] auto iteration : state) {
     const auto renderer = render::make_renderer(kind);
     benchmark::DoNotOptimize(

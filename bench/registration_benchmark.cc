@@ -9,7 +9,7 @@
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/frontend/tracker.h"
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"
 

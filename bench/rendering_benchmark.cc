@@ -4,7 +4,7 @@
 // What a frame of 640x480 of the synthetic room costs, without writing it to a file.
 #include <benchmark/benchmark.h>
 
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sensor.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"

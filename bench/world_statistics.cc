@@ -21,7 +21,7 @@
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,13 @@
 
 namespace cvo_slam {
 
-/// A place on a picture [px]: x to the right, y down.
+/// A position in the picture [px]: x to the right, y down.
 struct CanvasPoint {
   double x = 0;
   double y = 0;
 };
 
-/// A part of a picture [px].
+/// A part of the picture [px].
 struct CanvasRectangle {
   double left = 0;
   double top = 0;
@@ -36,46 +37,42 @@ struct LineStyle {
   LinePattern pattern = LinePattern::kSolid;
 };
 
-/// The lengths of a pattern's strokes and of the gaps behind them, in turn [px]; empty for a solid
-/// line. Wider lines have longer ones.
-[[nodiscard]] inline std::vector<double> dashes(const LineStyle& style) {
-  const double unit = 2 + style.width;
-  switch (style.pattern) {
-    case LinePattern::kSolid:
-      return {};
-    case LinePattern::kDashed:
-      return {2.5 * unit, 1.5 * unit};
-    case LinePattern::kDotted:
-      return {0.6 * unit, 1.1 * unit};
-    case LinePattern::kDashDotted:
-      return {2.5 * unit, unit, 0.6 * unit, unit};
-  }
-  return {};
-}
-
 struct TextStyle {
-  double size = 13;  ///< of the em square [px]
+  double size = 13;  ///< size of the em square [px]
   Color color = kBlack;
   TextAnchor anchor = TextAnchor::kStart;
-  bool vertical = false;  ///< read from below
+  bool vertical = false;  ///< true if the text runs upwards
 };
 
-/// What a figure is drawn with, whatever the format.
+/// A picture in the making, in one of the formats. Figures are drawn with these four operations
+/// only.
 class Canvas {
  public:
   virtual ~Canvas() = default;
   virtual void polyline(const std::vector<CanvasPoint>& points, const LineStyle& style) = 0;
   virtual void disc(CanvasPoint center, double radius, Color color) = 0;
-  /// A CV_8UC3 image that fills the rectangle.
+  /// Draws a CV_8UC3 image that fills the rectangle.
   virtual void image(const CanvasRectangle& place, const cv::Mat& pixels) = 0;
-  /// `anchor` says which part of the base line `position` is.
+  /// Draws a text. `position` is the point of its base line that the style's anchor names.
   virtual void text(CanvasPoint position, const std::string& text, const TextStyle& style) = 0;
+  /// Returns the bytes of the picture's file.
+  [[nodiscard]] virtual std::string file_bytes() const = 0;
 };
 
-/// Room to leave for a text [px]: a little more than what the fonts in use need.
-inline double text_width(const std::string& text, double size) {
-  constexpr double kEmPerCharacter = 0.7;
-  return kEmPerCharacter * size * static_cast<double>(text.size());
-}
+/// Return an empty white picture of a size in pixels.
+[[nodiscard]] std::unique_ptr<Canvas> make_svg_canvas(int width, int height);
+[[nodiscard]] std::unique_ptr<Canvas> make_png_canvas(int width, int height);
+
+/// Returns the width that a text may take [px]: a little more than any font in use needs.
+[[nodiscard]] double text_width(const std::string& text, double size);
+
+/// Returns the lengths of a pattern's strokes and gaps in turn [px]; empty for a solid line. Wider
+/// lines have longer strokes.
+[[nodiscard]] std::vector<double> dashes(const LineStyle& style);
+
+/// Returns the visible parts of a polyline. `pattern` holds the lengths of a stroke, of the gap
+/// behind it, and so on [px], all > 0; it is repeated. An empty pattern returns the line whole.
+[[nodiscard]] std::vector<std::vector<CanvasPoint>> strokes_of(
+    const std::vector<CanvasPoint>& points, const std::vector<double>& pattern);
 
 }  // namespace cvo_slam

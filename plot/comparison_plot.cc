@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMillimetres = 1000;
 
-/// What tells the estimates apart, with colours or without.
+/// The style of an estimate; patterns and widths tell estimates apart without colours.
 struct EstimateStyle {
   Color color;
   LinePattern pattern;
@@ -43,15 +43,15 @@ std::vector<double> sorted_values(const std::vector<PoseError>& errors, const Va
   return values;
 }
 
-/// Of sorted values; 0 of none.
+/// Returns a quantile of sorted values; 0 if there are none.
 double quantile(const std::vector<double>& values, double share) {
   if (values.empty()) return 0;
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
   return values[std::max<std::size_t>(rank, 1) - 1];
 }
 
-/// Where the axis of the errors ends: an estimate that is several times worse than the best one
-/// must not press all others against the left.
+/// Returns the end of the error axis. An estimate that is several times worse than the best one
+/// must not press all others against the left edge.
 double end_of_axis(const std::vector<std::vector<double>>& estimates) {
   constexpr double kShown = 0.95;
   constexpr double kTimesTheBest = 4;
@@ -65,7 +65,7 @@ double end_of_axis(const std::vector<std::vector<double>>& estimates) {
   return best > 0 ? std::min(worst, kTimesTheBest * best) : worst;
 }
 
-/// The share of the values up to x, over x from 0 to `end`: a stair.
+/// Returns the share of the values up to x as a staircase over x from 0 to `end`.
 Series distribution(const std::vector<double>& values, double end) {
   Series series;
   const auto count = static_cast<double>(values.size());
@@ -105,7 +105,7 @@ Panel distribution_panel(const std::vector<ComparedTrajectory>& estimates, std::
   return panel;
 }
 
-/// The top view of trajectory_figure() with the estimate's own colour.
+/// Returns the top view of trajectory_figure() in the colour of the estimate.
 Panel top_view(const std::vector<StampedPose>& reference, const ComparedTrajectory& estimate,
                std::size_t index) {
   Panel panel = trajectory_figure(reference, estimate.poses).panels.front();

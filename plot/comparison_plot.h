@@ -11,16 +11,17 @@
 
 namespace cvo_slam {
 
-/// One of several estimates of the same path.
+/// One of several estimates of the same trajectory.
 struct ComparedTrajectory {
   std::string name;
-  std::vector<StampedPose> poses;  ///< in the reference's world
-  std::vector<PoseError> errors;   ///< frame to frame
+  std::vector<StampedPose> poses;  ///< in the world of the reference
+  std::vector<PoseError> errors;   ///< errors from frame to frame
 };
 
-/// The estimates' cumulative distributions of translation and rotation error, each over the range
-/// of errors that holds 95 % of every estimate's but hopeless ones', and the top view of each path
-/// over the reference's. At most six estimates have colours of their own.
+/// Returns a figure that compares estimates: the cumulative distributions of their translation and
+/// rotation errors, and the top view of each trajectory over the reference. An error axis holds 95
+/// % of the errors of each estimate, but at most four times those of the best one. Six estimates
+/// have a style of their own; further ones repeat the styles.
 [[nodiscard]] Figure comparison_figure(const std::vector<StampedPose>& reference,
                                        const std::vector<ComparedTrajectory>& estimates);
 

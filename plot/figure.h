@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// A plot is a function that returns a Figure (trajectory_plot.h is an example); write_figure() puts
+// it into files.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +21,8 @@ struct Color {
   std::uint8_t blue = 0;
 };
 
-/// Colours that the colour-blind tell apart: M. Okabe and K. Ito, "Color Universal Design", 2008.
+/// Colours that colour-blind readers can tell apart: M. Okabe and K. Ito, "Color Universal Design",
+/// 2008.
 inline constexpr Color kBlack{0, 0, 0};
 inline constexpr Color kOrange{230, 159, 0};
 inline constexpr Color kSkyBlue{86, 180, 233};
@@ -29,54 +34,54 @@ inline constexpr Color kGrey{153, 153, 153};
 
 enum class SeriesStyle { kLine, kPoints };
 
-/// What tells lines apart where there are no colours.
+/// Line patterns, which tell lines apart in print without colours.
 enum class LinePattern { kSolid, kDashed, kDotted, kDashDotted };
 
-/// One curve or cloud of points. Where x or y is not finite, or beyond 1e12, there is no point and
-/// a line is broken; where one list is longer its tail is ignored. A line of one point is a dot.
+/// One curve or one set of points. A point whose x or y is not finite or is beyond 1e12 is not
+/// drawn, and it interrupts the line. If x and y differ in length, the surplus of the longer one is
+/// ignored. A line of a single point is drawn as a dot.
 struct Series {
-  std::string label;  ///< its entry in the legend; series without a label have none
+  std::string label;  ///< entry in the legend; a series without a label has no entry
   std::vector<double> x;
   std::vector<double> y;
   Color color = kBlue;
   SeriesStyle style = SeriesStyle::kLine;
-  double width = 1.5;  ///< of the line, or the radius of a point [px]
+  double width = 1.5;  ///< width of the line, or radius of a point [px]
   LinePattern pattern = LinePattern::kSolid;
 };
 
-/// A picture inside the axes, below the series.
+/// An image inside the axes, drawn below the series.
 struct PanelImage {
   cv::Mat pixels;  ///< CV_8UC3: blue, green, red; not empty
-  /// Where its edges are on the axes; min < max.
+  /// Positions of the image's edges on the axes; min < max.
   double x_min = 0;
   double x_max = 1;
   double y_min = 0;
   double y_max = 1;
 };
 
-/// The picture with each of its pixels a unit of both axes, x to the right from 0 and y up to 0:
-/// the pixel (u, v) begins at (u, -v).
+/// Returns the image placed so that a pixel is one unit of both axes: pixel (u, v) covers x from u
+/// to u + 1 and y from -v - 1 to -v.
 [[nodiscard]] inline PanelImage in_pixels(const cv::Mat& pixels) {
   return {pixels, 0, static_cast<double>(pixels.cols), -static_cast<double>(pixels.rows), 0};
 }
 
-/// One pair of axes. Without any point it says so.
+/// One pair of axes. A panel without any point shows the words "no data".
 struct Panel {
   std::string title;
   std::string x_label;  ///< with the unit
   std::string y_label;  ///< with the unit
   std::vector<Series> series;
-  bool equal_aspect = false;  ///< a metre is as long along x as along y
-  bool y_from_zero = false;   ///< for errors: the y axis starts at zero
-  /// The axes end where the picture does, and with equal_aspect its sides keep their ratio.
+  bool equal_aspect = false;  ///< true if a unit is as long along x as along y
+  bool y_from_zero = false;   ///< true if the y axis starts at zero, as errors need
+  /// The axes end at the edges of the image. With equal_aspect, its sides keep their ratio.
   std::optional<PanelImage> image = {};
-  bool scales = true;  ///< numbers and lines of a grid; without them there is a frame
-  int span = 1;        ///< columns of the figure that it takes, at most all
+  bool scales = true;  ///< draws numbers and grid lines; without them, the panel has a frame
+  int span = 1;        ///< number of columns of the figure that the panel takes, at most all
 };
 
-/// A picture of panels in rows, filled from the left as far as they fit; the legend stands above
-/// them, once for all. PNG knows ASCII only:
-/// any other character becomes '?'.
+/// A picture of panels in rows, each row filled from the left. One legend for all panels stands
+/// above them. PNG files show ASCII only: any other character becomes '?'.
 struct Figure {
   std::string title;
   std::vector<Panel> panels;
@@ -84,5 +89,17 @@ struct Figure {
   int width = 1200;  ///< [px], 100 to 4000
   int height = 800;  ///< [px], 100 to 4000
 };
+
+/// Returns the figure as SVG 1.1 text. The same figure gives the same bytes. Throws OptionError for
+/// an impossible size, number of columns or image.
+[[nodiscard]] std::string to_svg(const Figure& figure);
+
+/// Returns the bytes of a PNG file of the figure's size in pixels. Throws OptionError as to_svg()
+/// does.
+[[nodiscard]] std::string to_png(const Figure& figure);
+
+/// Writes the figure as <file_stem>.png and <file_stem>.svg. Throws OptionError as to_svg() does,
+/// and OutputError.
+void write_figure(const std::filesystem::path& file_stem, const Figure& figure);
 
 }  // namespace cvo_slam

@@ -13,14 +13,16 @@ namespace {
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 
-/// Capitals are 21 units high in the font, and 0.72 em in most typefaces.
+/// Returns OpenCV's scale of a font of a size [px]. Capitals are 21 units high in the font, and
+/// 0.72 em in most typefaces.
 double scale_of(double size) { return 0.72 * size / 21; }
 
 int thickness_of(double size, double boldness) {
   return std::max(1, static_cast<int>(std::lround(0.09 * size * boldness)));
 }
 
-/// OpenCV's fonts know ASCII; of any other character (UTF-8) the first byte becomes '?'.
+/// Returns the text in ASCII, which is all that OpenCV's fonts have. Of any other character (UTF-8)
+/// the first byte becomes '?' and the rest is dropped.
 std::string to_ascii(std::string_view text) {
   std::string result;
   for (const char c : text) {

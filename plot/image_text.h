@@ -10,19 +10,20 @@
 
 namespace cvo_slam {
 
-/// What a text takes up on an image [px].
+/// The space that a text takes on an image [px].
 struct ImageTextExtent {
   int width = 0;
-  int above = 0;      ///< the base line
-  int below = 0;      ///< the base line
-  int thickness = 0;  ///< of its strokes
+  int above = 0;      ///< height above the base line
+  int below = 0;      ///< height below the base line
+  int thickness = 0;  ///< thickness of the strokes
 };
 
-/// Of a text with an em square of `size` [px].
+/// Returns the extent of a text whose em square has the given size [px].
 [[nodiscard]] ImageTextExtent image_text_extent(std::string_view text, double size);
 
-/// Draws a text on a CV_8UC3 image (blue, green, red) from the left end of its base line. The fonts
-/// know ASCII: any other character becomes '?'. `boldness` is a factor of the strokes' thickness.
+/// Draws a text on a CV_8UC3 image (blue, green, red). `origin` is the left end of the base line,
+/// `boldness` a factor on the thickness of the strokes. The fonts have ASCII only: any other
+/// character becomes '?'.
 void draw_image_text(cv::Mat& image, cv::Point origin, std::string_view text, double size,
                      Color color, double boldness = 1);
 

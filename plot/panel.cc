@@ -5,11 +5,32 @@
 #include <limits>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "cvo_slam/plot/panel_internal.h"
-#include "cvo_slam/plot/ticks_internal.h"
 
 namespace cvo_slam {
 namespace {
+
+/// Returns the smallest number >= `step` that is 1, 2 or 5 times a power of ten.
+double round_up_to_nice(double step) {
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  // pow() rounds: 0.2 / 0.1 must not count as more than 2.
+  constexpr double kSlack = 1 + 1e-9;
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power * kSlack >= step) return factor * power;
+  }
+  return 10 * power;
+}
+
+std::string format_label(double value, double step, const AxisRange& range) {
+  const double largest = std::fmax(std::fabs(range.min), std::fabs(range.max));
+  constexpr double kLargestPlain = 1e6;
+  constexpr double kSmallestPlain = 1e-5;
+  if (largest >= kLargestPlain || step < kSmallestPlain) return fmt::format("{:.6g}", value);
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
+  return fmt::format("{:.{}f}", value, decimals);
+}
 
 constexpr Color kGridInk{225, 225, 225};
 constexpr double kPanelTitleSize = 16;
@@ -31,7 +52,7 @@ struct DataRange {
   AxisRange y;
 };
 
-/// The smallest ranges that hold all points; empty without any point.
+/// Returns the smallest ranges that hold all points; empty without any point.
 std::optional<DataRange> range_of(const Panel& panel) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   DataRange range{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}};
@@ -55,10 +76,10 @@ std::optional<DataRange> range_of(const Panel& panel) {
   return range;
 }
 
-/// Gives a range without length one, so that a single pose or a constant has its axes.
+/// Returns a range of some length, so that a single pose or a constant has axes too.
 AxisRange with_length(const AxisRange& range) {
   const double magnitude = std::max(std::fabs(range.min), std::fabs(range.max));
-  constexpr double kSmallest = 1e-9;  // of the magnitude: well above rounding
+  constexpr double kSmallest = 1e-9;  // share of the magnitude: well above rounding
   if (range.length() > kSmallest * magnitude) return range;
   const double half = magnitude > 0 ? 0.1 * magnitude : 0.5;
   return {range.min - half, range.max + half};
@@ -88,7 +109,7 @@ DataRange axes_of(const Panel& panel, const DataRange& data, double aspect) {
   return axes;
 }
 
-/// Draws one panel into the cell of the grid that is its own.
+/// Draws one panel into its cell.
 class PanelPainter {
  public:
   PanelPainter(const Panel& panel, const CanvasRectangle& cell, Canvas& canvas)
@@ -124,7 +145,7 @@ class PanelPainter {
   }
 
  private:
-  /// The part of the cell inside the axes, with `number_width` for the numbers on the y axis.
+  /// Sets the area inside the axes, with `number_width` for the numbers on the y axis.
   void set_area(const CanvasRectangle& cell, const std::optional<DataRange>& data,
                 double number_width) {
     number_width_ = number_width;
@@ -132,17 +153,17 @@ class PanelPainter {
     area_.left += number_width + (panel_.y_label.empty() ? 0 : kLabelSize + kGap);
     area_.bottom -= number_height() + (panel_.x_label.empty() ? 0 : kLabelSize + kGap);
     area_.top += panel_.title.empty() ? 0 : kPanelTitleSize + kGap;
-    // A picture too small for its texts still has an area to compute with.
+    // A figure that is too small for its texts still needs an area to compute with.
     area_.right = std::max(area_.right, area_.left + 1);
     area_.bottom = std::max(area_.bottom, area_.top + 1);
     if (data && panel_.image && panel_.equal_aspect) fit_area(*data);
     if (data) axes_ = axes_of(panel_, *data, area_.width() / area_.height());
   }
 
-  /// The room that the numbers below the x axis need [px].
+  /// Returns the height of the numbers below the x axis [px].
   [[nodiscard]] double number_height() const { return panel_.scales ? kTickSize + kGap : 0; }
 
-  /// Cuts the area to the proportions of the data, about its middle.
+  /// Cuts the area to the proportions of the data; its middle stays.
   void fit_area(const DataRange& data) {
     const double scale =
         std::min(area_.width() / data.x.length(), area_.height() / data.y.length());
@@ -240,7 +261,8 @@ class PanelPainter {
     flush(stroke, series);
   }
 
-  /// Leaves out what cannot be seen: a point that has hardly moved takes the last one's place.
+  /// Adds a point to a stroke. Leaves out what cannot be seen: a point that is very near to the
+  /// one before the last replaces the last one.
   static void extend(std::vector<CanvasPoint>& stroke, const CanvasPoint& point) {
     constexpr double kVisible = 0.3;
     const std::size_t count = stroke.size();
@@ -261,13 +283,27 @@ class PanelPainter {
 
   const Panel& panel_;
   Canvas& canvas_;
-  CanvasRectangle area_;  ///< inside the axes [px]
+  CanvasRectangle area_;  // inside the axes [px]
   double number_width_ = 0;
   DataRange axes_;
   bool is_empty_ = false;
 };
 
 }  // namespace
+
+std::vector<Tick> make_ticks(const AxisRange& range, int max_count) {
+  const double step = round_up_to_nice(range.length() / max_count);
+  const double slack = 1e-9 * range.length();
+  const double first = std::ceil((range.min - slack) / step);
+  std::vector<Tick> ticks;
+  for (int i = 0; i <= max_count + 1; ++i) {
+    // + 0.0 makes a negative zero positive.
+    const double value = (first + i) * step + 0.0;
+    if (value > range.max + slack) break;
+    ticks.push_back({value, format_label(value, step, range)});
+  }
+  return ticks;
+}
 
 void draw_panel(const Panel& panel, const CanvasRectangle& cell, Canvas& canvas) {
   PanelPainter(panel, cell, canvas).paint();

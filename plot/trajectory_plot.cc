@@ -21,8 +21,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kWidth = 1500;  // [px]
 constexpr double kMillimetres = 1000;
 
-/// A view along one axis of the world: which coordinates it shows to the right and up.
-struct View {
+/// A projection along one axis of the world: the directions that point right and up in the panel.
+struct Projection {
   const char* title;
   Vector3 right;
   Vector3 up;
@@ -30,24 +30,24 @@ struct View {
   const char* y_label;
 };
 
-std::array<View, 3> views_with_z_up() {
+std::array<Projection, 3> projections_with_z_up() {
   const Vector3 x = Vector3::UnitX();
   const Vector3 y = Vector3::UnitY();
   const Vector3 z = Vector3::UnitZ();
-  return {View{"Top", x, y, "x [m]", "y [m]"}, View{"Front", x, z, "x [m]", "z [m]"},
-          View{"Side", y, z, "y [m]", "z [m]"}};
+  return {Projection{"Top", x, y, "x [m]", "y [m]"}, Projection{"Front", x, z, "x [m]", "z [m]"},
+          Projection{"Side", y, z, "y [m]", "z [m]"}};
 }
 
-std::array<View, 3> views_of_first_camera() {
+std::array<Projection, 3> projections_of_camera_frame() {
   const Vector3 x = Vector3::UnitX();
   const Vector3 y = Vector3::UnitY();
   const Vector3 z = Vector3::UnitZ();
-  return {View{"Top", x, z, "x [m]", "z [m]"}, View{"Front", x, -y, "x [m]", "-y [m]"},
-          View{"Side", z, -y, "z [m]", "-y [m]"}};
+  return {Projection{"Top", x, z, "x [m]", "z [m]"}, Projection{"Front", x, -y, "x [m]", "-y [m]"},
+          Projection{"Side", z, -y, "z [m]", "-y [m]"}};
 }
 
-/// Whether the world has z up, as that of motion capture, and not -y, as a camera's. Cameras are
-/// held upright rather than otherwise.
+/// Returns true if the up direction of the world is z, as in motion capture, and not -y, as in the
+/// frame of a camera. Most cameras are held upright.
 bool is_z_up(const std::vector<StampedPose>& reference) {
   Vector3 up = Vector3::Zero();
   for (const StampedPose& pose : reference) up -= pose.T_world_camera.rotation().col(1);
@@ -71,7 +71,7 @@ bool is_gap(const std::vector<Stamped>& items, std::size_t i, double longest_ste
   return i > 0 && seconds_between(items[i - 1].stamp, items[i].stamp) > longest_step;
 }
 
-Series projected(const std::vector<StampedPose>& poses, const View& view) {
+Series projected(const std::vector<StampedPose>& poses, const Projection& view) {
   const double longest_step = longest_drawn_step(poses);
   Series series;
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -83,7 +83,7 @@ Series projected(const std::vector<StampedPose>& poses, const View& view) {
 }
 
 Panel view_panel(const std::vector<StampedPose>& reference,
-                 const std::vector<StampedPose>& estimate, const View& view) {
+                 const std::vector<StampedPose>& estimate, const Projection& view) {
   Panel panel{view.title, view.x_label, view.y_label, {}, true};
   const auto add = [&](Series series, const char* label, Color color, double width) {
     series.label = label;
@@ -91,7 +91,7 @@ Panel view_panel(const std::vector<StampedPose>& reference,
     series.width = width;
     panel.series.push_back(std::move(series));
   };
-  // Wide and grey below narrow and blue: told apart on paper too.
+  // Wide and grey below narrow and blue can be told apart in print too.
   if (!reference.empty()) add(projected(reference, view), "ground truth", kGrey, 3);
   if (estimate.empty()) return panel;
   add(projected(estimate, view), "estimate", kBlue, 1.3);
@@ -100,7 +100,7 @@ Panel view_panel(const std::vector<StampedPose>& reference,
   return panel;
 }
 
-/// `value` of the errors over time, with a break where several are missing.
+/// Returns a value of the errors over time, interrupted where several are missing.
 template <typename Value>
 Series over_time(const std::vector<PoseError>& errors, const Timestamp& origin, Color color,
                  const Value& value) {
@@ -145,7 +145,7 @@ Figure trajectory_figure(const std::vector<StampedPose>& reference,
   figure.width = kWidth;
   figure.height = 560;
   const bool z_up = !reference.empty() && is_z_up(reference);
-  for (const auto& view : z_up ? views_with_z_up() : views_of_first_camera()) {
+  for (const auto& view : z_up ? projections_with_z_up() : projections_of_camera_frame()) {
     figure.panels.push_back(view_panel(reference, estimate, view));
   }
   return figure;

@@ -11,21 +11,22 @@
 
 namespace cvo_slam {
 
-/// Top, front and side views of an estimate, in metres, over the reference where there is one. Both
-/// must be in the same world (core/alignment.h). Up is z, as in motion capture,
-/// where the reference's cameras are held so on the mean; else, and without a reference, it is -y,
-/// as of a world that is a camera's frame, and z is ahead.
+/// Returns top, front and side views of an estimate [m], drawn over the reference if there is one.
+/// Both must be in the same world (core/alignment.h). The up direction is z, as in motion capture,
+/// if the mean up direction of the reference's cameras is nearer to z than to -y. Otherwise, and
+/// without a reference, it is -y, as in the frame of a camera, and z points ahead.
 [[nodiscard]] Figure trajectory_figure(const std::vector<StampedPose>& reference,
                                        const std::vector<StampedPose>& estimate);
 
-/// One kind of error over time, named for its panels: "ATE", "RPE 1 s".
+/// One kind of error over time. Its name, such as "ATE" or "RPE 1 s", stands in the panel titles.
 struct ErrorCurve {
   std::string name;
   std::vector<PoseError> errors;
 };
 
-/// Translation [mm] and rotation [deg] of each curve over the seconds since the first error of all,
-/// two panels a curve, with the RMSE in their titles. Lines are broken where frames are missing.
+/// Returns the translation [mm] and rotation [deg] errors of each curve over the seconds since the
+/// first error of all curves: two panels a curve, with the RMSE in their titles. Missing frames
+/// interrupt the lines.
 [[nodiscard]] Figure error_figure(const std::vector<ErrorCurve>& curves);
 
 }  // namespace cvo_slam

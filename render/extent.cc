@@ -14,17 +14,18 @@
 namespace cvo_slam::render {
 namespace {
 
-/// Of the map's points, on either side: stray ones do not decide where the picture is taken from.
+/// Share of the points that is cut off at each end of an axis, so that stray points do not decide
+/// the framing.
 constexpr double kTrimmedShare = 0.004;
 constexpr double kLeastSize = 0.5;  // [m]
-/// So many stand for all of them.
+/// Number of points that represent all of them.
 constexpr std::size_t kEnoughPoints = 50'000;
 
-/// By how much the horizontal axes must be turned to be along walls that are square to one another
-/// [rad], at most an eighth of a turn; 0 where the normals do not agree.
+/// Returns the turn that makes the horizontal axes parallel to walls at right angles [rad], at most
+/// an eighth of a turn; 0 if the normals do not agree on a direction.
 double direction_of_walls(const LevelAxes& axes, const std::vector<MapPoint>& points) {
   constexpr std::size_t kEnough = 100'000;
-  constexpr double kLevel = 0.2;  // a wall's normal is level to 12 degrees
+  constexpr double kLevel = 0.2;  // the normal of a wall is horizontal to 12 degrees
   const std::size_t step = 1 + points.size() / kEnough;
   std::complex<double> sum;
   double count = 0;
@@ -32,7 +33,7 @@ double direction_of_walls(const LevelAxes& axes, const std::vector<MapPoint>& po
     const Vector3 normal = axes.coordinates(points[i].normal.cast<double>());
     const bool is_wall = std::fabs(normal.z()) < kLevel && normal.squaredNorm() > 0.25;
     if (!is_wall) continue;
-    // All four directions of a square room become one.
+    // The factor 4 makes the four wall directions of a room one.
     sum += std::polar(1.0, 4 * std::atan2(normal.y(), normal.x()));
     ++count;
   }
@@ -40,7 +41,7 @@ double direction_of_walls(const LevelAxes& axes, const std::vector<MapPoint>& po
   return std::abs(sum) > kLeastAgreement * count ? std::arg(sum) / 4 : 0;
 }
 
-std::vector<Vector3> sampled_points(const Scene& scene) {
+std::vector<Vector3> sampled_points(const MapScene& scene) {
   const std::size_t step = 1 + scene.points.size() / kEnoughPoints;
   std::vector<Vector3> places;
   for (std::size_t i = 0; i < scene.points.size(); i += step) {
@@ -50,8 +51,8 @@ std::vector<Vector3> sampled_points(const Scene& scene) {
   return places;
 }
 
-/// All of them count: a path is never cut off.
-std::vector<Vector3> camera_places(const Scene& scene) {
+/// Returns the positions of all cameras. None is trimmed: a path is never cut off.
+std::vector<Vector3> camera_places(const MapScene& scene) {
   std::vector<Vector3> places;
   const auto add = [&](const Vector3& place) {
     if (is_drawable(place)) places.push_back(place);
@@ -67,7 +68,7 @@ std::vector<Vector3> camera_places(const Scene& scene) {
   return places;
 }
 
-/// Of one coordinate, what lies between the trimmed ends.
+/// Returns the range of a coordinate between its trimmed ends.
 std::pair<double, double> trimmed_range(std::vector<double> values) {
   const auto last = static_cast<double>(values.size() - 1);
   const auto quantile = [&](double share) {
@@ -100,7 +101,7 @@ void include_place(Extent& extent, const Vector3& place) {
 
 LevelAxes level_axes(const Vector3& up, const std::vector<MapPoint>& points) {
   const Vector3 u = up.normalized();
-  // Of x and z the one that is further from up.
+  // The one of x and z that is farther from up.
   const Vector3 hint = std::fabs(u.x()) < 0.9 ? Vector3::UnitX() : Vector3::UnitZ();
   const Vector3 right = (hint - hint.dot(u) * u).normalized();
   const LevelAxes axes{right, u.cross(right), u};
@@ -109,7 +110,7 @@ LevelAxes level_axes(const Vector3& up, const std::vector<MapPoint>& points) {
   return {turned, u.cross(turned), u};
 }
 
-Extent extent_of(const Scene& scene) {
+Extent extent_of(const MapScene& scene) {
   Extent extent;
   extent.axes = level_axes(scene.up, scene.points);
   include_points(extent, sampled_points(scene));
@@ -134,7 +135,7 @@ std::vector<Vector3> points_within(const std::vector<MapPoint>& points, const Ex
   return places;
 }
 
-std::vector<Vector3> framed_places(const Scene& scene, const Extent& extent) {
+std::vector<Vector3> framed_places(const MapScene& scene, const Extent& extent) {
   std::vector<Vector3> places = camera_places(scene);
   for (const Vector3& point : points_within(scene.points, extent, kEnoughPoints)) {
     places.push_back(point);

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cvo_slam/render/scene.h"
+#include <cstddef>
+#include <vector>
+
+#include "cvo_slam/render/map_scene.h"
 
 namespace cvo_slam::render {
 
-/// Whether a place is finite and near enough to be drawn.
+/// Returns true if a position is finite and near enough to be drawn.
 [[nodiscard]] inline bool is_drawable(const Vector3& place) {
   return place.cwiseAbs().maxCoeff() <= kMaxCoordinate && place.allFinite();
 }
@@ -25,30 +28,30 @@ struct LevelAxes {
   }
 };
 
-/// The horizontal axes are along walls where most of the points' normals agree on them. Elsewhere
-/// they are the world's own where its z or -y points up.
+/// Returns level axes. The horizontal ones are parallel to the walls if most of the points' normals
+/// agree on a direction. Otherwise they are axes of the world, if its z or -y points up.
 [[nodiscard]] LevelAxes level_axes(const Vector3& up, const std::vector<MapPoint>& points);
 
-/// Where a scene is, in coordinates of its level axes. Points beyond it are few.
+/// The box that a scene fills, in coordinates of its level axes. Few points lie outside.
 struct Extent {
   LevelAxes axes;
   Vector3 min = Vector3::Zero();
   Vector3 max = Vector3::Zero();
-  bool empty = true;  ///< nothing can be drawn
+  bool empty = true;  ///< true if nothing can be drawn
 
-  [[nodiscard]] Vector3 center() const { return axes.place((min + max) / 2); }
-  /// Of its diagonal [m].
+  /// Returns the length of the diagonal [m].
   [[nodiscard]] double size() const { return (max - min).norm(); }
 };
 
-/// At least half a metre along each axis, so that a single pose has a picture too.
-[[nodiscard]] Extent extent_of(const Scene& scene);
+/// Returns the extent of a scene: at least half a metre along each axis, so that a single pose can
+/// be drawn too.
+[[nodiscard]] Extent extent_of(const MapScene& scene);
 
-/// Of the points within the extent every n-th, so that there are at most `enough`.
+/// Returns every n-th of the points inside the extent, so that there are at most `enough`.
 [[nodiscard]] std::vector<Vector3> points_within(const std::vector<MapPoint>& points,
                                                  const Extent& extent, std::size_t enough);
 
-/// Places that stand for the whole scene when it is framed: those within the extent.
-[[nodiscard]] std::vector<Vector3> framed_places(const Scene& scene, const Extent& extent);
+/// Returns positions inside the extent that represent the scene when it is framed.
+[[nodiscard]] std::vector<Vector3> framed_places(const MapScene& scene, const Extent& extent);
 
 }  // namespace cvo_slam::render

@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/render/gl_functions_internal.h"
-#include "cvo_slam/render/gl_renderer_internal.h"
+#include "cvo_slam/render/gl_context_internal.h"
+#include "cvo_slam/render/renderers_internal.h"
 
 namespace cvo_slam::render {
 namespace {
 
-// Positions are pixels of the image, whose upper row is OpenGL's lower one: nothing is flipped.
+// Positions are pixels. The upper row of the image is the lower row of OpenGL, so that nothing
+// needs to be flipped.
 constexpr const char* kSplatVertexShader = R"(#version 120
 uniform vec2 size;
 attribute vec3 position;
@@ -57,7 +58,7 @@ void main() { gl_FragColor = gl_Color; }
 
 enum Attribute : GLuint { kPosition = 0, kColor = 1, kShape = 2 };
 
-/// A linked pair of shaders; lives while the context is bound.
+/// A linked pair of shaders. It must not outlive the binding of the context.
 class Program {
  public:
   Program(const GlFunctions& gl, const char* vertex, const char* fragment)
@@ -89,7 +90,7 @@ class Program {
     gl_.ShaderSource(shader, 1, &source, nullptr);
     gl_.CompileShader(shader);
     gl_.AttachShader(id_, shader);
-    gl_.DeleteShader(shader);  // when the program is
+    gl_.DeleteShader(shader);  // takes effect when the program is deleted
   }
 
   const GlFunctions& gl_;
@@ -97,7 +98,7 @@ class Program {
   bool linked_ = false;
 };
 
-/// What is drawn into: colour and depth of an image; lives while the context is bound.
+/// The colour and depth buffers of an image. It must not outlive the binding of the context.
 class Framebuffer {
  public:
   Framebuffer(const GlFunctions& gl, cv::Size size) : gl_(gl) {
@@ -133,7 +134,7 @@ class Framebuffer {
   bool complete_ = false;
 };
 
-/// Binds a context for a scope.
+/// Binds a context during a scope.
 class Binding {
  public:
   explicit Binding(GlContext& context) : context_(context) { context_.bind(); }
@@ -207,7 +208,7 @@ class GlRenderer : public Renderer {
     if (splats.empty()) return;
     const Program program(gl, kSplatVertexShader, kSplatFragmentShader);
     program.use(size);
-    // A driver may allocate as much again as it is given at once.
+    // A driver may copy all that it is given at once.
     constexpr std::size_t kBatch = 1U << 18U;
     for (std::size_t begin = 0; begin < splats.size(); begin += kBatch) {
       const Splat* first = splats.data() + begin;
@@ -245,7 +246,7 @@ class GlRenderer : public Renderer {
 static_assert(offsetof(Splat, depth) == offsetof(Splat, x) + 2 * sizeof(float) &&
                   offsetof(Splat, slope_y) == offsetof(Splat, radius) + 2 * sizeof(float) &&
                   offsetof(Corner, depth) == offsetof(Corner, x) + 2 * sizeof(float),
-              "vectors of the shaders are three members in a row");
+              "a vector of a shader is three members in a row");
 
 }  // namespace
 

@@ -10,9 +10,9 @@ namespace cvo_slam::render {
 namespace {
 
 constexpr Color kLineColor{192, 198, 204};
-constexpr double kCells = 7;  // about so many along the longer side
+constexpr double kCells = 7;  // about the number of cells along the longer side
 
-/// The 1, 2 or 5 times a power of ten that is next above.
+/// Returns the smallest number >= `value` that is 1, 2 or 5 times a power of ten.
 double round_up(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double factor : {1.0, 2.0, 5.0}) {
@@ -23,21 +23,21 @@ double round_up(double value) {
 
 std::string metres(double value, double step) {
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-  return fmt::format("{:.{}f} m", value + 0.0, decimals);  // no -0
+  return fmt::format("{:.{}f} m", value + 0.0, decimals);  // + 0.0 avoids "-0"
 }
 
 }  // namespace
 
-Grid::Grid(const Extent& extent, const View& view) : level_(extent.axes), view_(view) {
+Grid::Grid(const Extent& extent, const MapView& view) : level_(extent.axes), view_(view) {
   const Vector3 ahead = level_.coordinates(view.T_world_view.rotation().col(2));
   if (view.orthographic) ahead.cwiseAbs().maxCoeff(&normal_);
-  const double margin = 0.004 * extent.size();  // below the floor, not in it
+  const double margin = 0.004 * extent.size();  // puts the grid below the floor, not into it
   offset_ = ahead[normal_] > 0 ? extent.max[normal_] + margin : extent.min[normal_] - margin;
   const Vector3 sizes = extent.max - extent.min;
   const int first = normal_ == 0 ? 1 : 0;
   const int second = normal_ == 2 ? 1 : 2;
   step_ = round_up(std::max(sizes[first], sizes[second]) / kCells);
-  // A little more than the scene, and within the picture that it was framed for.
+  // The grid is a little larger than the scene, and still inside the picture.
   const double around = 0.05 * std::max(sizes[first], sizes[second]);
   min_ = {extent.min[first] - around, extent.min[second] - around};
   max_ = {extent.max[first] + around, extent.max[second] + around};
@@ -74,7 +74,7 @@ void Grid::add_to(LineArt& art, double width) const {
 bool Grid::is_nearer(const Vector3& a, const Vector3& b) const {
   const Vector3 p = view_.project(a);
   const Vector3 q = view_.project(b);
-  // Lower in the picture, or where that is the same, further to the left.
+  // Nearer is lower in the picture or, at the same height, farther to the left.
   const bool same = std::fabs(p.y() - q.y()) < 1;
   return same ? p.x() < q.x() : p.y() > q.y();
 }

@@ -3,28 +3,31 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cvo_slam/render/extent_internal.h"
 #include "cvo_slam/render/line_art_internal.h"
 
 namespace cvo_slam::render {
 
-/// A text at a place of the world, pushed away on the image from another place.
+/// A text at a position of the world. On the image it is moved away from another position.
 struct Label {
   Vector3 place;
   Vector3 away_from;
   std::string text;
 };
 
-/// The grid of metres: the ground below the scene, or in a view from the side a wall behind it.
+/// The metric grid: the ground below the scene or, in a view from the side, a wall behind it.
 class Grid {
  public:
-  Grid(const Extent& extent, const View& view);
+  /// The view must outlive the object.
+  Grid(const Extent& extent, const MapView& view);
 
   void add_to(LineArt& art, double width) const;
-  /// Of the lines, in metres along the level axes, on the edges of the grid next to the reader.
+  /// Returns the numbers of the lines, in metres along the level axes. They stand at the edges of
+  /// the grid that are nearest to the reader.
   [[nodiscard]] std::vector<Label> labels() const;
-  /// Distance of the lines [m].
+  /// Returns the distance between lines [m].
   [[nodiscard]] double step() const { return step_; }
 
  private:
@@ -34,8 +37,8 @@ class Grid {
   void add_labels(int along, std::vector<Label>& labels) const;
 
   LevelAxes level_;
-  const View& view_;
-  int normal_ = 2;  ///< axis of the level world that the plane is square to
+  const MapView& view_;
+  int normal_ = 2;  ///< axis of the level world that is perpendicular to the grid
   double offset_ = 0;
   double step_ = 1;
   Eigen::Vector2d min_;  ///< along the other two axes, in their order

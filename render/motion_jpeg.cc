@@ -27,7 +27,7 @@ std::string little_endian(std::uint32_t value, int bytes) {
 std::string u32(std::size_t value) { return little_endian(static_cast<std::uint32_t>(value), 4); }
 std::string u16(std::uint32_t value) { return little_endian(value, 2); }
 
-/// Of RIFF: a name, a length and the content, padded to an even length.
+/// Returns a chunk of a RIFF file: name, length and content, padded to an even length.
 std::string chunk(std::string_view name, const std::string& content) {
   return std::string(name) + u32(content.size()) + content +
          (content.size() % 2 == 0 ? "" : std::string(1, '\0'));
@@ -44,7 +44,7 @@ struct Film {
   std::size_t largest_frame;
 };
 
-/// AVIMAINHEADER of Microsoft's "AVI RIFF File Reference".
+/// Returns the AVIMAINHEADER of Microsoft's "AVI RIFF File Reference".
 std::string main_header(const Film& film) {
   constexpr std::uint32_t kHasIndex = 0x10;
   return u32(1'000'000 / film.frames_per_second) +
@@ -54,7 +54,7 @@ std::string main_header(const Film& film) {
          u32(static_cast<std::size_t>(film.size.height)) + std::string(16, '\0');
 }
 
-/// AVISTREAMHEADER and BITMAPINFOHEADER.
+/// Returns AVISTREAMHEADER and BITMAPINFOHEADER (the same source).
 std::string stream_headers(const Film& film) {
   const auto width = static_cast<std::uint32_t>(film.size.width);
   const auto height = static_cast<std::uint32_t>(film.size.height);
@@ -71,8 +71,9 @@ std::string stream_headers(const Film& film) {
 
 void MotionJpeg::add(const cv::Mat& image) {
   if (!frames_.empty() && image.size() != size_) {
-    throw DataError(fmt::format("a film of {}x{} pixels, a picture of {}x{}", size_.width,
-                                size_.height, image.cols, image.rows));
+    throw DataError(
+        fmt::format("a picture of {2}x{3} pixels does not fit into a film of {0}x{1} pixels",
+                    size_.width, size_.height, image.cols, image.rows));
   }
   size_ = image.size();
   std::vector<unsigned char> bytes;
@@ -82,22 +83,24 @@ void MotionJpeg::add(const cv::Mat& image) {
 
 void MotionJpeg::write(const std::filesystem::path& file) const {
   if (file.extension() != ".avi") {
-    throw OptionError(fmt::format("'{}': films are written as .avi (Motion JPEG)", file.string()));
+    throw OptionError(
+        fmt::format("'{}': a film must be an .avi file (Motion JPEG)", file.string()));
   }
   std::string pictures;
   std::string index;
   Film film{static_cast<std::uint32_t>(frames_per_second_), size_, frames_.size(), 0};
-  constexpr std::uint32_t kIsWhole = 0x10;  // every picture stands for itself
+  constexpr std::uint32_t kIsWhole = 0x10;  // each picture can be decoded on its own
   for (const std::string& frame : frames_) {
     film.largest_frame = std::max(film.largest_frame, frame.size());
-    // Counted from the word "movi".
+    // Positions are counted from the word "movi".
     index += "00dc" + u32(kIsWhole) + u32(4 + pictures.size()) + u32(frame.size());
     pictures += chunk("00dc", frame);
   }
-  constexpr std::size_t kLargest = 2'000'000'000;  // readers take lengths for signed
+  constexpr std::size_t kLargest = 2'000'000'000;  // readers use signed lengths
   if (frames_.empty() || pictures.size() > kLargest) {
-    throw OutputError(file, frames_.empty() ? "a film without pictures; add some"
-                                            : "more than 2 GB; make fewer or smaller pictures");
+    throw OutputError(file, frames_.empty()
+                                ? "the film has no pictures; add some"
+                                : "the film has more than 2 GB; make fewer or smaller pictures");
   }
   const std::string headers = list("hdrl", chunk("avih", main_header(film)) + stream_headers(film));
   write_file(file, chunk("RIFF", "AVI " + headers + list("movi", pictures) + chunk("idx1", index)));

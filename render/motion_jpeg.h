@@ -10,16 +10,16 @@
 
 namespace cvo_slam::render {
 
-/// A film of JPEG pictures in an AVI file, which any player knows. OpenCV's own writer would make
-/// every program that links it load ffmpeg and GStreamer when it starts.
+/// A film of JPEG pictures in an AVI file, which any player can play. OpenCV's own writer is not
+/// used: every program that links it loads ffmpeg and GStreamer when it starts.
 class MotionJpeg {
  public:
   explicit MotionJpeg(int frames_per_second = 25) : frames_per_second_(frames_per_second) {}
 
-  /// CV_8UC3; throws DataError where the size is not that of the pictures before.
+  /// Adds a CV_8UC3 picture. Throws DataError if its size differs from that of the earlier ones.
   void add(const cv::Mat& image);
-  /// The pictures so far. Throws OutputError, also where they are none, and OptionError where the
-  /// file's name does not end in .avi.
+  /// Writes the pictures added so far. Throws OptionError if the name does not end in .avi, and
+  /// OutputError if there are no pictures or the file cannot be written.
   void write(const std::filesystem::path& file) const;
 
  private:

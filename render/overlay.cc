@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/plot/image_text.h"
-#include "cvo_slam/render/cameras_internal.h"
+#include "cvo_slam/render/line_art_internal.h"
 #include "cvo_slam/render/overlay_internal.h"
 
 namespace cvo_slam::render {
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Color kInk{40, 44, 48};
 constexpr Color kPaper{255, 255, 255};
-// In thin lines.
+// Sizes in thin lines.
 constexpr double kLabelSize = 11;
 constexpr double kLegendSize = 12;
 constexpr double kTitleSize = 16;
@@ -23,7 +23,7 @@ constexpr double kMargin = 14;
 
 cv::Scalar bgr(Color color) { return cv::Scalar(color.blue, color.green, color.red); }
 
-std::size_t count_of(const Scene& scene, EdgeKind kind) {
+std::size_t count_of(const MapScene& scene, EdgeKind kind) {
   return static_cast<std::size_t>(
       std::count_if(scene.constraints.begin(), scene.constraints.end(),
                     [&](const Constraint& constraint) { return constraint.kind == kind; }));
@@ -31,7 +31,7 @@ std::size_t count_of(const Scene& scene, EdgeKind kind) {
 
 }  // namespace
 
-std::vector<LegendEntry> legend_of(const Scene& scene, const ColorScale& scale) {
+std::vector<LegendEntry> legend_of(const MapScene& scene, const ColorScale& scale) {
   std::vector<LegendEntry> entries;
   for (const Path& path : scene.paths) {
     if (path.label.empty() || path.poses.empty()) continue;
@@ -53,7 +53,7 @@ std::vector<LegendEntry> legend_of(const Scene& scene, const ColorScale& scale) 
 int Overlay::px(double units) const { return static_cast<int>(std::lround(units * unit_)); }
 
 void Overlay::text(cv::Point origin, const std::string& text, double size, Color color) {
-  // A halo of paper, so that it can be read on anything.
+  // A halo in the colour of paper keeps the text readable on any background.
   draw_image_text(image_, origin, text, size * unit_, kPaper, 3);
   draw_image_text(image_, origin, text, size * unit_, color);
 }
@@ -69,7 +69,7 @@ bool Overlay::is_hidden(const Vector3& pixel, const cv::Mat& depth) const {
   if (depth.empty()) return false;
   const auto u = static_cast<int>(std::lround(pixel.x()));
   const auto v = static_cast<int>(std::lround(pixel.y()));
-  // The line that the place lies on does not hide it.
+  // The slack keeps the grid line at the position from hiding it.
   const double slack = view_.orthographic ? 1e-3 * (view_.far - view_.near) : 0.01 * pixel.z();
   return depth.at<float>(std::clamp(v, 0, depth.rows - 1), std::clamp(u, 0, depth.cols - 1)) <
          view_.buffer_depth(pixel.z() - slack);
@@ -83,7 +83,7 @@ void Overlay::draw(const std::vector<Label>& labels, const cv::Mat& depth) {
     if (!view_.camera.contains(p.head<2>()) || is_hidden(p, depth)) continue;
     const Eigen::Vector2d away = (p - q).head<2>().stableNormalized();
     const auto extent = image_text_extent(label.text, kLabelSize * unit_);
-    // The box's border, not its centre, keeps the distance.
+    // The distance is that of the border of the box, not of its centre.
     const double x = p.x() + away.x() * (0.5 * extent.width + px(7)) - 0.5 * extent.width;
     const double y = p.y() + away.y() * (0.5 * extent.above + px(7)) + 0.5 * extent.above;
     const cv::Point origin(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)));

@@ -5,33 +5,36 @@
 #include <string>
 #include <vector>
 
-#include "cvo_slam/render/color_scale_internal.h"
+#include <opencv2/core/mat.hpp>
+
 #include "cvo_slam/render/grid_internal.h"
+#include "cvo_slam/render/line_art_internal.h"
 
 namespace cvo_slam::render {
 
-/// A line of the legend: a stroke of a colour, or of all colours of the scale, and what it means.
+/// An entry of the legend: a stroke in one colour or in all colours of the scale, and its meaning.
 struct LegendEntry {
   std::string text;
   Color color;
   bool is_scale = false;
 };
 
-[[nodiscard]] std::vector<LegendEntry> legend_of(const Scene& scene, const ColorScale& scale);
+[[nodiscard]] std::vector<LegendEntry> legend_of(const MapScene& scene, const ColorScale& scale);
 
-/// Writes on a picture. `unit` is the width of a thin line [px]; all sizes go with it.
+/// Writes texts on a picture. `unit` is the width of a thin line [px]; all sizes are multiples.
 class Overlay {
  public:
-  Overlay(cv::Mat& image, const View& view, double unit)
+  /// Image and view must outlive the object.
+  Overlay(cv::Mat& image, const MapView& view, double unit)
       : image_(image), view_(view), unit_(unit) {}
 
-  /// Beside their places; those left out that would cover one before, and those whose places are
-  /// hidden in `depth`, the raster's, where one is given.
+  /// Draws labels beside their positions. A label that would cover an earlier one is left out, and
+  /// so is one whose position is hidden. `depth` is the depth of the raster; empty = nothing hides.
   void draw(const std::vector<Label>& labels, const cv::Mat& depth = {});
   void draw_title(const std::string& title);
   void draw_legend(const std::vector<LegendEntry>& entries, const ColorScale& scale,
                    const std::string& value_label);
-  /// In the middle of the picture.
+  /// Draws a message in the middle of the picture.
   void draw_message(const std::string& message);
 
  private:
@@ -43,7 +46,7 @@ class Overlay {
   [[nodiscard]] bool is_hidden(const Vector3& pixel, const cv::Mat& depth) const;
 
   cv::Mat& image_;
-  const View& view_;
+  const MapView& view_;
   double unit_;
   std::vector<cv::Rect> taken_;
 };

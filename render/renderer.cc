@@ -3,8 +3,7 @@
 #include "cvo_slam/render/renderer.h"
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/render/gl_renderer_internal.h"
-#include "cvo_slam/render/splat_renderer_internal.h"
+#include "cvo_slam/render/renderers_internal.h"
 
 namespace cvo_slam::render {
 namespace {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,39 +12,66 @@
 #include <opencv2/core/mat.hpp>
 
 #include "cvo_slam/plot/figure.h"
-#include "cvo_slam/render/primitives.h"
 
 namespace cvo_slam::render {
 
-/// What a renderer answers.
-struct Raster {
-  cv::Mat color;  ///< CV_8UC3: blue, green, red
-  cv::Mat depth;  ///< CV_32FC1, from 0 to 1; 1 where there is nothing
+/// A piece of surface on the image: the ellipse as which a disc is seen. A pixel at (dx, dy) from
+/// the centre belongs to it if dx^2 + dy^2 + (slope_x dx + slope_y dy)^2 <= radius^2.
+struct Splat {
+  float x = 0;  ///< centre [px]; (0, 0) is the centre of the upper left pixel
+  float y = 0;
+  float depth = 0;   ///< 0 = nearest to 1 = farthest
+  float radius = 0;  ///< [px], at most kMaxSplatRadius
+  float slope_x = 0;
+  float slope_y = 0;
+  std::array<std::uint8_t, 4> color = {0, 0, 0, 255};  ///< blue, green, red; the fourth is unused
 };
 
-/// Draws primitives off-screen, without a display. For one thread at a time.
+/// Largest radius of a splat [px]. OpenGL limits the size of its points, Mesa to 255 pixels.
+inline constexpr float kMaxSplatRadius = 120;
+
+/// A corner of a triangle on the image.
+struct Corner {
+  float x = 0;  ///< [px]
+  float y = 0;
+  float depth = 0;                                     ///< 0 = nearest to 1 = farthest
+  std::array<std::uint8_t, 4> color = {0, 0, 0, 255};  ///< blue, green, red; the fourth is unused
+};
+
+/// All that a renderer draws. At each pixel the nearest one is visible.
+struct Primitives {
+  std::vector<Splat> splats;
+  std::vector<Corner> corners;  ///< three in a row are a triangle, in either orientation
+};
+
+/// The result of a renderer.
+struct Raster {
+  cv::Mat color;  ///< CV_8UC3: blue, green, red
+  cv::Mat depth;  ///< CV_32FC1, from 0 to 1; 1 = nothing was drawn
+};
+
+/// Draws primitives off-screen, without a display. An object serves one thread at a time.
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  /// The name of its kind, and what it runs on.
+  /// Returns the name of the renderer and of the device that it runs on.
   [[nodiscard]] virtual std::string name() const = 0;
-  /// Throws Error where the renderer cannot draw an image of that size.
+  /// Throws Error if the renderer cannot draw an image of that size.
   [[nodiscard]] virtual Raster draw(const Primitives& primitives, cv::Size size,
                                     Color background) = 0;
 };
 
 enum class RendererKind {
-  kAuto,    ///< kOsmesa where it is installed and works, else kSplat
+  kAuto,    ///< kOsmesa if it is installed and works, otherwise kSplat
   kOsmesa,  ///< Mesa's off-screen OpenGL on the CPU
-  kEgl,     ///< OpenGL by EGL without a surface: on the GPU where there is one
-  kSplat,   ///< no OpenGL at all, and the same pixels everywhere
+  kEgl,     ///< OpenGL through EGL without a surface: on the GPU if there is one
+  kSplat,   ///< software renderer without OpenGL; gives the same pixels on every machine
 };
-
-/// The names that people type: auto, osmesa, egl, splat.
+/// Returns the names that users type: auto, osmesa, egl, splat.
 [[nodiscard]] const std::vector<std::pair<std::string, RendererKind>>& renderer_names();
 
-/// Libraries of OpenGL are loaded here, at run time. Throws Error, with the package to install,
-/// where they are missing or cannot draw.
+/// Returns a renderer. Libraries of OpenGL are loaded here, at run time. Throws Error, which names
+/// the package to install, if they are missing or cannot draw.
 [[nodiscard]] std::unique_ptr<Renderer> make_renderer(RendererKind kind = RendererKind::kAuto);
 
 }  // namespace cvo_slam::render

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cvo_slam/render/splat_renderer_internal.h"
+#include "cvo_slam/render/renderers_internal.h"
 
 namespace cvo_slam::render {
 namespace {
 
-/// The whole pixels between two borders that lie on an image of `size` pixels.
+/// The pixels of an image row or column of `size` pixels between two borders.
 struct PixelRange {
   PixelRange(double low, double high, int size)
       : begin(static_cast<int>(std::ceil(std::clamp(low, 0.0, static_cast<double>(size))))),
@@ -21,7 +21,7 @@ cv::Vec3b to_pixel(const std::array<std::uint8_t, 4>& color) {
   return {color[0], color[1], color[2]};
 }
 
-/// Color and depth of the image in work.
+/// Draws into colour and depth of a raster; the nearest wins.
 class DepthBuffer {
  public:
   explicit DepthBuffer(Raster& raster) : raster_(raster) {}
@@ -66,7 +66,7 @@ class DepthBuffer {
   }
 
  private:
-  /// Twice the area of the triangle from p over q to (x, y).
+  /// Returns twice the signed area of the triangle p, q, (x, y).
   static double cross(const Corner& p, const Corner& q, double x, double y) {
     const double qx = static_cast<double>(q.x) - p.x;
     const double qy = static_cast<double>(q.y) - p.y;

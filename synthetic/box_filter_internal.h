@@ -7,24 +7,24 @@
 
 namespace cvo_slam::synthetic {
 
-// Textures are point-sampled once a pixel, so each of them is averaged over the pixel's footprint
-// in closed form; what cannot be averaged so is faded out before it would alias.
+// Textures are sampled once a pixel. Each is therefore averaged over the footprint of the pixel in
+// closed form; details that cannot be averaged so are faded out before they would alias.
 
-/// Weight of a detail of size `feature` under a filter of width `footprint` (same unit): 1 where
-/// the detail spans two pixels or more (Nyquist), 0 where it is smaller than one.
+/// Returns the weight of a detail of size `feature` under a filter of width `footprint` (same
+/// unit): 1 if the detail spans two pixels or more (Nyquist), 0 if it spans less than one.
 inline double fade(double feature, double footprint) {
   const double s = std::clamp(feature / footprint - 1, 0.0, 1.0);
   return s * s * (3 - 2 * s);
 }
 
-/// std::floor of a number in the range of std::int64_t, but inlined: without SSE4.1, which is not
-/// to be relied on, that is a call of a library function.
+/// Returns std::floor() of a number in the range of std::int64_t. It is inlined, which std::floor()
+/// is not on CPUs without SSE4.1.
 inline double round_down(double x) {
   const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
   return whole > x ? whole - 1 : whole;
 }
 
-/// The share of a box of width `width` around x in which frac(x) < duty.
+/// Returns the share of a box of width `width` about x in which frac(x) < duty.
 inline double filtered_pulse(double x, double duty, double width) {
   const auto integral = [duty](double at) {
     const double whole = round_down(at);
@@ -33,7 +33,7 @@ inline double filtered_pulse(double x, double duty, double width) {
   return (integral(x + 0.5 * width) - integral(x - 0.5 * width)) / width;
 }
 
-/// The two unit cells that a box of width <= 1 around x touches.
+/// The two unit cells that a box of width <= 1 about x touches.
 struct CellSpan {
   CellSpan(double x, double width) {
     const double span = std::clamp(width, 1e-9, 1.0);
@@ -45,8 +45,8 @@ struct CellSpan {
   double second_weight = 0;
 };
 
-/// The average of a picture of unit cells over a box of widths (width_u, width_v) <= 1 around
-/// (u, v); `value(column, row)` is the grey value of a cell.
+/// Returns the average of an image of unit cells over a box of widths (width_u, width_v) <= 1 about
+/// (u, v). `value(column, row)` is the value of a cell.
 template <typename Value>
 double filtered_cells(double u, double v, double width_u, double width_v, const Value& value) {
   const CellSpan column(u, width_u);

@@ -8,25 +8,25 @@
 
 namespace cvo_slam::synthetic {
 
-// The built-in worlds. A seed changes textures, clutter and tremor, not the plan.
+// The built-in worlds. A seed changes textures, clutter and tremor, but not the layout.
 
-/// A furnished room of 5.2 x 4.4 x 2.6 m with its floor's centre at the origin; a round of 10 s and
-/// 4 m near its centre that looks outwards, once along all the walls.
+/// A furnished room of 5.2 x 4.4 x 2.6 m with the centre of its floor at the origin. The path is a
+/// closed one of 10 s and 4 m near the centre; the camera looks outwards, once along all the walls.
 [[nodiscard]] World room_world(std::uint32_t seed);
 
 /// An office of 7 x 5.6 x 2.7 m with four desks face to face in its middle and more along its
-/// walls; a round of 24 s about the middle ones.
+/// walls. The path is a closed one of 24 s about the desks in the middle.
 [[nodiscard]] World office_world(std::uint32_t seed);
 
-/// A house of 20 x 9.2 m: two look-alike corridors between a living room and a kitchen, with two
-/// rooms to look into between them; a walk through all of it and beyond its start.
+/// A house of 20 x 9.2 m: two ambiguous corridors between a living room and a kitchen, and two
+/// rooms between the corridors. The path leads through all of it and beyond its start.
 [[nodiscard]] World house_world(std::uint32_t seed);
 
-/// What the names of the fr3 series of TUM's benchmark say.
+/// The properties that the fr3 series of the TUM RGB-D benchmark names.
 struct PanelOptions {
-  bool structure = true;  ///< a zig-zag of panels on a floor; else nothing but the floor
-  bool texture = true;    ///< posters; else paint with a residual contrast of two grey levels
-  bool near = true;       ///< from about 1 m; else from about 2 m
+  bool structure = true;  ///< zig-zag of panels on a floor; otherwise only the floor
+  bool texture = true;    ///< posters; otherwise paint with a contrast of two grey levels
+  bool near = true;       ///< seen from about 1 m; otherwise from about 2 m
 };
 [[nodiscard]] World panel_world(const PanelOptions& options, std::uint32_t seed);
 

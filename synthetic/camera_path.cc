@@ -16,19 +16,19 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-/// Weights of four successive control points at s in [0, 1] (uniform cubic B-spline).
+/// Returns the weights of four successive control points at s in [0, 1] (uniform cubic B-spline).
 std::array<double, 4> basis(double s) {
   const double r = 1 - s;
   return {r * r * r / 6, (3 * s * s * s - 6 * s * s + 4) / 6,
           (-3 * s * s * s + 3 * s * s + 3 * s + 1) / 6, s * s * s / 6};
 }
 
-/// As many control points as segments, and three more.
+/// Returns the control points: three more than segments.
 std::vector<Viewpoint> spline_controls(const PathPlan& plan) {
   std::vector<Viewpoint> controls = plan.viewpoints;
   if (plan.closed) {
     controls.insert(controls.end(), plan.viewpoints.begin(), plan.viewpoints.begin() + 3);
-  } else {  // three equal control points: the spline passes them at rest
+  } else {  // the spline passes three equal control points at rest
     controls.insert(controls.begin(), 2, plan.viewpoints.front());
     controls.insert(controls.end(), 2, plan.viewpoints.back());
   }
@@ -37,9 +37,8 @@ std::vector<Viewpoint> spline_controls(const PathPlan& plan) {
 
 void check(const PathPlan& plan) {
   if (plan.viewpoints.size() < 4) {
-    throw OptionError(
-        fmt::format("camera path: {} viewpoints are too few; a spline needs at least 4",
-                    plan.viewpoints.size()));
+    throw OptionError(fmt::format("camera path: {} viewpoints are too few; give at least 4",
+                                  plan.viewpoints.size()));
   }
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
   if (!positive(plan.duration)) throw OptionError("camera path: the duration must be positive");

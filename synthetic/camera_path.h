@@ -10,48 +10,48 @@
 
 namespace cvo_slam::synthetic {
 
-/// Where the camera is drawn to, and what it looks at, both in the world [m].
+/// A position that the camera passes near, and the point that it looks at, in the world [m].
 struct Viewpoint {
   Vector3 position;
   Vector3 target;
 };
 
-/// The unrest of a hand: sinusoids from 0.5 to 4 Hz whose amplitude falls with their frequency.
+/// The tremor of a hand: sinusoids from 0.5 to 4 Hz whose amplitude falls with their frequency.
 struct Tremor {
   double translation = 0.003;  ///< amplitude of each axis at 1 Hz [m]
   double rotation = 0.006;     ///< amplitude of each axis at 1 Hz [rad]
   std::uint32_t seed = 0;
 };
 
-/// The plan of a camera's way.
+/// The plan of a camera path.
 struct PathPlan {
   std::vector<Viewpoint> viewpoints = {};  ///< at equal distances in time
-  double duration = 10;                    ///< of one round, or of the way from end to end [s]
-  bool closed = true;                      ///< after the last viewpoint comes the first again
+  double duration = 10;                    ///< duration of one round, or from end to end [s]
+  bool closed = true;                      ///< true if the path returns to the first viewpoint
   Tremor tremor = {};
-  double speed = 1;  ///< 2 = everything happens twice as fast, in half the duration
+  double speed = 1;  ///< 2 = twice as fast, in half the duration
 };
 
-/// A smooth path of a camera: uniform cubic B-splines through the neighbourhood of the viewpoints,
-/// for the position and for the target, plus tremor. Position and orientation are continuous to the
-/// second derivative, and so at the seam of a closed path. An open one starts and ends at rest
-/// exactly at its first and last viewpoint (tremor aside).
+/// A smooth path of a camera: uniform cubic B-splines that pass near the viewpoints, one for the
+/// position and one for the target, plus tremor. Position and orientation are continuous to the
+/// second derivative, also at the seam of a closed path. An open path starts and ends at rest,
+/// exactly at its first and last viewpoint (except for tremor).
 class CameraPath {
  public:
-  /// Throws OptionError with fewer than four viewpoints (the order of the spline), with one that
-  /// has its target above, below or at its position, or with a duration or speed that is not
-  /// positive.
+  /// Throws OptionError for fewer than four viewpoints (the order of the spline), for a target that
+  /// is above, below or at its position, and for a duration or speed that is not positive.
   explicit CameraPath(PathPlan plan);
 
-  /// Of one round, or from end to end, at the plan's speed [s].
+  /// Returns the duration of one round, or from end to end, at the plan's speed [s].
   [[nodiscard]] double duration() const { return plan_.duration / plan_.speed; }
-  /// The exact pose. After its duration a closed path repeats, and an open one stays.
+  /// Returns the exact pose. After its duration a closed path repeats, and an open one stays at its
+  /// end.
   [[nodiscard]] SE3 T_world_camera(double seconds) const;
   [[nodiscard]] const PathPlan& plan() const { return plan_; }
 
  private:
   struct Wave {
-    double rounds;     ///< whole periods in a duration, so that a loop closes
+    double rounds;     ///< number of whole periods in the duration, so that a closed path closes
     double amplitude;  ///< [m] or [rad]
     double phase;      ///< [rad]
   };
@@ -60,13 +60,14 @@ class CameraPath {
   [[nodiscard]] Vector6 tremor(double share) const;
 
   PathPlan plan_;
-  std::vector<Viewpoint>
-      controls_;  // of the spline; the first of a closed one stand again at the end
-  std::array<std::array<Wave, 4>, 6> waves_{};  // of [translation; rotation]
+  // Control points of the spline; those of a closed path repeat the first ones at the end.
+  std::vector<Viewpoint> controls_;
+  std::array<std::array<Wave, 4>, 6> waves_{};  // tremor of [translation; rotation]
 };
 
-/// The pose of a camera at `position` that looks at `target` with the image upright; the two must
-/// not lie above each other. Axes: x right, y down, z forward; the world's z is up.
+/// Returns the pose of a camera at `position` that looks at `target` with the image upright. One
+/// must not be above the other. Axes of the camera: x right, y down, z forward; z of the world is
+/// up.
 [[nodiscard]] SE3 look_at(const Vector3& position, const Vector3& target);
 
 }  // namespace cvo_slam::synthetic

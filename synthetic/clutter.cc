@@ -4,20 +4,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "cvo_slam/synthetic/clutter_internal.h"
+#include "cvo_slam/synthetic/furniture_internal.h"
 #include "cvo_slam/synthetic/materials_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {
 
-constexpr double kBoard = 0.025;  ///< thickness of furniture boards [m]
-constexpr double kGap = 0.002;    ///< keeps thin things off the surface they lie on [m]
-
-/// One of a few strong colours.
+/// Returns a material in one of a few strong colours.
 Texture painted(Random& random) {
-  static const std::array<Color, 6> kColors = {Color(0.75, 0.14, 0.12), Color(0.12, 0.28, 0.62),
-                                               Color(0.90, 0.86, 0.78), Color(0.10, 0.45, 0.30),
-                                               Color(0.85, 0.62, 0.10), Color(0.16, 0.16, 0.18)};
+  static const std::array<LinearColor, 6> kColors = {
+      LinearColor(0.75, 0.14, 0.12), LinearColor(0.12, 0.28, 0.62), LinearColor(0.90, 0.86, 0.78),
+      LinearColor(0.10, 0.45, 0.30), LinearColor(0.85, 0.62, 0.10), LinearColor(0.16, 0.16, 0.18)};
   const auto index = static_cast<std::size_t>(random.uniform(0, kColors.size() - 1e-9));
   return {Pattern::kPlaster, kColors[index], {0.9, 0.9, 0.9}, 0.05, 0.25};
 }

@@ -9,12 +9,6 @@
 #include "cvo_slam/synthetic/materials_internal.h"
 
 namespace cvo_slam::synthetic {
-namespace {
-
-constexpr double kBoard = 0.025;  ///< thickness of furniture boards [m]
-constexpr double kGap = 0.002;    ///< keeps thin things off the surface they lie on [m]
-
-}  // namespace
 
 Wall::Wall(SceneBuilder& builder, const Vector3& foot, const Vector3& forward)
     : builder_(builder),
@@ -56,9 +50,10 @@ void Wall::books(const Vector3& at, double width, double depth, double max_heigh
     if (x + thickness > at.x() + 0.5 * width) break;
     const double height = max_height * random.uniform(0.68, 0.97);
     const double book_depth = depth * random.uniform(0.72, 0.95);
-    const Color cover(random.uniform(0.08, 0.9), random.uniform(0.08, 0.8),
-                      random.uniform(0.08, 0.8));
-    const Color print = cover.mean() > 0.45 ? Color(0.08, 0.06, 0.05) : Color(0.95, 0.88, 0.6);
+    const LinearColor cover(random.uniform(0.08, 0.9), random.uniform(0.08, 0.8),
+                            random.uniform(0.08, 0.8));
+    const LinearColor print =
+        cover.mean() > 0.45 ? LinearColor(0.08, 0.06, 0.05) : LinearColor(0.95, 0.88, 0.6);
     box({x + 0.5 * thickness, at.y(), at.z()}, {thickness - kGap, book_depth, height},
         {Pattern::kSpine, cover, print, 0.1, 0.2});
     const bool gap = random.uniform(0, 1) < 0.06;

@@ -1,10 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The materials that the built-in worlds share, and the names of materials and patterns in world
+// files.
 #pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cvo_slam/synthetic/texture.h"
 
-// What furniture and buildings are made of, shared by the built-in worlds.
+namespace cvo_slam::synthetic {
+
+/// Returns the materials below by name.
+[[nodiscard]] const std::vector<std::pair<std::string, Texture>>& named_materials();
+
+[[nodiscard]] const std::vector<std::pair<std::string, Pattern>>& pattern_names();
+
+}  // namespace cvo_slam::synthetic
 
 namespace cvo_slam::synthetic::materials {
 
@@ -98,11 +112,11 @@ inline Texture lamp() { return {Pattern::kPlaster, {1.0, 1.0, 0.97}, {1, 1, 1}, 
 inline Texture posters() {
   return {Pattern::kCollage, {0.94, 0.93, 0.90}, {0.12, 0.10, 0.16}, 0.45, 0.35};
 }
-/// A painted wall whose residual contrast is two grey levels of 255 under the worlds' light.
+/// A painted wall whose contrast under the worlds' light is two grey levels of 255.
 inline Texture plain() {
   return {Pattern::kPlaster, {0.66, 0.66, 0.64}, {0.5, 0.5, 0.5}, 0.1, 0.021};
 }
-/// The same board standing upright.
+/// Returns the material of an upright board.
 inline Texture upright(Texture texture) {
   texture.quarter_turn = true;
   return texture;

@@ -8,8 +8,8 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/synthetic/moving_objects_internal.h"
-#include "cvo_slam/synthetic/noise_field_internal.h"
-#include "cvo_slam/synthetic/view_internal.h"
+#include "cvo_slam/synthetic/random_internal.h"
+#include "cvo_slam/synthetic/ray_caster_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 using CameraMotion = std::function<SE3(double)>;
 
 std::vector<Vector3> camera_positions(const CameraMotion& T_world_camera, double duration) {
-  constexpr double kStep = 0.05;  // [s]; a hand moves by some centimetres
+  constexpr double kStep = 0.05;  // [s]; a hand moves by a few centimetres
   std::vector<Vector3> positions(static_cast<std::size_t>(duration / kStep) + 1);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     positions[i] = T_world_camera(static_cast<double>(i) * kStep).translation();
@@ -31,11 +31,12 @@ double distance_to_segment(const Vector3& point, const Vector3& middle, const Ve
   return (point - middle - std::clamp(share, -1.0, 1.0) * half).norm();
 }
 
-/// The place of a box in front of the camera at `pose`, nearer than what is behind it.
-Vector3 place_in_view(const Scene& scene, const SE3& pose, Random& random) {
-  constexpr double kFarthest = 2.5;  // [m]; further away it would hide little
+/// Returns a position for a box in front of the camera at `pose`, nearer than the surface behind
+/// it.
+Vector3 place_in_view(const WorldScene& scene, const SE3& pose, Random& random) {
+  constexpr double kFarthest = 2.5;  // [m]; a box farther away would hide little
   const PinholeCamera pixel{.width = 1, .height = 1, .fx = 1, .fy = 1, .cx = 0, .cy = 0};
-  const double depth = View(scene, pixel, pose).look(0, 0).depth;
+  const double depth = RayCaster(scene, pixel, pose).look(0, 0).depth;
   const double free = depth > 0 ? std::min(depth, kFarthest) : kFarthest;
   return pose * Vector3(0, 0, free * random.uniform(0.5, 0.8));
 }
@@ -51,7 +52,7 @@ Texture colorful(Random& random) {
   return texture;
 }
 
-/// A candidate; smaller with a smaller `scale`.
+/// Returns a random box, smaller with a smaller `scale`.
 Primitive swinging_box(const Vector3& position, const SE3& camera,
                        const MovingObjectOptions& options, double scale, Random& random) {
   const auto edge = [&] { return scale * options.size * random.uniform(0.7, 1.3); };
@@ -60,7 +61,7 @@ Primitive swinging_box(const Vector3& position, const SE3& camera,
   const double height = edge();
   const double yaw = random.uniform(0, 2 * std::numbers::pi);
   Primitive box{Box{{width, depth, height}}, SE3(so3_exp({0, 0, yaw}), position), colorful(random)};
-  // Across the view, a little up and down.
+  // It moves across the field of view, and a little up and down.
   const double reach = scale * random.uniform(0.4, 0.8);  // [m]
   const Vector3 across = camera.rotation() * Vector3(1, random.uniform(-0.3, 0.3), 0).normalized();
   if (options.speed > 0) {
@@ -82,13 +83,13 @@ bool is_clear(const Primitive& primitive, const std::vector<Vector3>& positions)
 
 }  // namespace
 
-void add_moving_objects(Scene& scene, const CameraMotion& T_world_camera, double duration,
+void add_moving_objects(WorldScene& scene, const CameraMotion& T_world_camera, double duration,
                         const MovingObjectOptions& options, std::uint32_t seed) {
   if (options.count == 0) return;
   constexpr int kAttempts = 100;
-  constexpr double kShrink = 0.97;  // a twentieth after all attempts
+  constexpr double kShrink = 0.97;  // 0.97^100: a twentieth of the size after all attempts
   const std::vector<Vector3> positions = camera_positions(T_world_camera, duration);
-  const Scene still = scene;
+  const WorldScene still = scene;
   for (int i = 0; i < options.count; ++i) {
     Random random(derived_seed(seed, i));
     double scale = 1;
@@ -102,7 +103,7 @@ void add_moving_objects(Scene& scene, const CameraMotion& T_world_camera, double
     }
     if (scene.primitives.size() != still.primitives.size() + static_cast<std::size_t>(i) + 1) {
       throw OptionError(
-          "sensor.objects: there is no place for a moving box clear of the camera's way; lower "
+          "sensor.objects: there is no space for a moving box clear of the camera path; lower "
           "objects.size or objects.count");
     }
   }

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "cvo_slam/synthetic/built_in_worlds_internal.h"
-#include "cvo_slam/synthetic/clutter_internal.h"
+#include "cvo_slam/synthetic/furniture_internal.h"
 #include "cvo_slam/synthetic/materials_internal.h"
 
 namespace cvo_slam::synthetic {
@@ -33,7 +33,7 @@ void add_shell(SceneBuilder& builder) {
   }
 }
 
-/// Two desks on each side of a low wall.
+/// Adds two desks on each side of a low wall.
 void add_middle_desks(SceneBuilder& builder) {
   builder.box({0, 0, 0.3}, {3.1, 0.03, 0.85},
               {Pattern::kPlaid, {0.42, 0.50, 0.56}, {0.36, 0.44, 0.50}, 0.012, 0.5});
@@ -111,7 +111,7 @@ PathPlan office_plan(std::uint32_t seed) {
     const double angle = 2 * std::numbers::pi * i / kViewpoints;
     const Vector3 position(2.35 * std::cos(angle), 1.65 * std::sin(angle),
                            1.42 + 0.1 * std::sin(3 * angle));
-    // Across the desks, at times at what lies on the near ones.
+    // The camera looks across the desks, and at times at what lies on the near ones.
     const double reach = 0.45 - 0.4 * std::cos(4 * angle);
     const Vector3 target(-reach * std::cos(angle) + 0.5 * std::sin(angle), -reach * std::sin(angle),
                          0.82 + 0.12 * std::cos(4 * angle));
@@ -132,7 +132,7 @@ World office_world(std::uint32_t seed) {
   furnish_west(builder);
   builder.ambient(0.5);
   builder.light({0, -2.2, 1.7}, 0.6);  // daylight
-  // From beside the desks across them.
+  // The camera stands beside the desks and looks across them.
   const Anchor anchor{.view = {{-1.9, 1.4, 1.5}, {0.1, -0.1, 0.8}}};
   return {builder.scene(), CameraPath(office_plan(seed)), anchor};
 }

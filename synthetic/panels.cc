@@ -10,17 +10,17 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-// Wider than any camera path of these worlds can see [m].
-constexpr double kFloor = 40;
-constexpr double kPanelsHeight = 3;
+constexpr double kFloor = 40;        // [m]; larger than any camera of these worlds can see
+constexpr double kPanelsHeight = 3;  // [m]
 constexpr int kPanels = 25;
 
-constexpr double kPanelWidth = 0.6;                     // [m]
-constexpr double kFold = 35 * std::numbers::pi / 180;   // of each panel out of the common plane
-constexpr double kPitch = 50 * std::numbers::pi / 180;  // of the view down to the floor
-constexpr double kEyes = 0.95;                          // height before the panels [m]
+constexpr double kPanelWidth = 0.6;  // [m]
+constexpr double kFold =
+    35 * std::numbers::pi / 180;  // angle between each panel and the common plane
+constexpr double kPitch = 50 * std::numbers::pi / 180;  // pitch of a view down to the floor
+constexpr double kEyes = 0.95;  // height of the camera before the panels [m]
 
-/// Panels that stand on the floor along x, folded to and fro about y = 0.
+/// Adds panels that stand on the floor along x, in a zig-zag about y = 0.
 void add_panels(SceneBuilder& builder, const Texture& texture) {
   const double step = kPanelWidth * std::cos(kFold);
   for (int i = 0; i < kPanels; ++i) {
@@ -31,7 +31,7 @@ void add_panels(SceneBuilder& builder, const Texture& texture) {
   }
 }
 
-Scene panel_scene(const PanelOptions& options, std::uint32_t seed) {
+WorldScene panel_scene(const PanelOptions& options, std::uint32_t seed) {
   SceneBuilder builder(seed);
   Texture floor = options.texture ? materials::posters() : materials::plain();
   if (options.structure) {
@@ -50,14 +50,14 @@ Scene panel_scene(const PanelOptions& options, std::uint32_t seed) {
   return builder.scene();
 }
 
-/// From where the camera looks, and where at: the middle of the panels or of the floor.
+/// Returns the viewpoint of a camera that looks at the middle of the panels or of the floor.
 Viewpoint middle_view(const PanelOptions& options) {
   const double distance = options.near ? 1.0 : 2.0;
   if (options.structure) return {{0, -distance, kEyes}, {0, 0, 0.8 * kEyes}};
   return {{0, -distance * std::cos(kPitch), distance * std::sin(kPitch)}, {0, 0, 0}};
 }
 
-/// A round to the sides, with the view kept ahead: as one shows a wall to a camera in the hand.
+/// Returns a closed path from side to side that keeps the view ahead, as a hand films a wall.
 PathPlan panel_plan(const PanelOptions& options, std::uint32_t seed) {
   constexpr int kViewpoints = 20;
   constexpr double kDuration = 14;  // [s]

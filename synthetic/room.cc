@@ -70,7 +70,7 @@ void furnish_west(SceneBuilder& builder) {
   wall.box({1.5, 0, 0}, {0.45, 0.4, 0.5}, materials::cardboard());
 }
 
-Scene room_scene(std::uint32_t seed) {
+WorldScene room_scene(std::uint32_t seed) {
   SceneBuilder builder(seed);
   add_shell(builder);
   furnish_north(builder);
@@ -103,7 +103,7 @@ PathPlan room_plan(std::uint32_t seed) {
 }  // namespace
 
 World room_world(std::uint32_t seed) {
-  // From the middle towards the desk.
+  // The camera stands in the middle and looks towards the desk.
   const Anchor anchor{.view = {{0.1, -0.1, 1.35}, {0.3, kNorth, 0.85}}};
   return {room_scene(seed), CameraPath(room_plan(seed)), anchor};
 }

@@ -5,31 +5,33 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "cvo_slam/synthetic/noise_field_internal.h"
+#include "cvo_slam/synthetic/random_internal.h"
 #include "cvo_slam/synthetic/schedule_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {
 
 constexpr std::int64_t kFrameRate = 30;  // [Hz]
-// Not zero, so that all stamps have as many digits and file names sort in the order of time.
+// The first stamp is not zero, so that all stamps have as many digits and file names sort by time.
 constexpr std::int64_t kFirstSecond = 1000;
-constexpr std::int64_t kMicroseconds = 1000000;  // a second
+constexpr std::int64_t kMicroseconds = 1000000;  // in a second
 
 enum Purpose : std::int32_t { kJitter = 101, kDropColor, kDropDepth, kDropBoth };
 
-/// Whole microseconds, which is what the file names carry: the pose is that of this very instant.
+/// Returns a stamp of whole microseconds, as in file names, so that the pose is exact for the
+/// stamp.
 Timestamp stamp_after(std::int64_t microseconds) {
   return Timestamp((kFirstSecond * kMicroseconds + microseconds) * 1000);
 }
 
-/// Bounded, so that no depth image comes nearer to another frame than to its own: the sine of an
-/// angle that is uniformly distributed. Measured differences (fr1/rpy) crowd at both ends likewise.
+/// Returns the delay of a depth image [us]: the sine of a uniformly distributed angle. It is
+/// bounded, so that no depth image is nearer to another frame than to its own, and most values are
+/// near the bounds, as in measured data (fr1/rpy).
 std::int64_t depth_delay(double sigma, std::uint32_t seed, std::int32_t frame) {
   const double angle = 2 * std::numbers::pi * hash_unit(derived_seed(seed, kJitter), frame);
   const auto delay = std::llround(std::numbers::sqrt2 * sigma * std::sin(angle) *
                                   static_cast<double>(kMicroseconds));
-  return frame == 0 ? std::llabs(delay) : delay;  // nothing is before the first frame
+  return frame == 0 ? std::llabs(delay) : delay;  // no image is before the first frame
 }
 
 }  // namespace
@@ -49,7 +51,7 @@ Exposure FrameTimes::exposure() const {
 std::vector<FrameTimes> schedule(std::size_t frames, const SensorOptions& options,
                                  std::uint32_t world_seed) {
   const TimingOptions& timing = options.timing;
-  const std::uint32_t seed = sensor_seed(options, world_seed);
+  const std::uint32_t seed = sensor_seed(options.seed, world_seed);
   std::vector<FrameTimes> times;
   for (std::int32_t i = 0; static_cast<std::size_t>(i) < frames; ++i) {
     const auto kept = [&](double share, Purpose purpose) {

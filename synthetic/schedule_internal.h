@@ -11,27 +11,28 @@
 
 namespace cvo_slam::synthetic {
 
-/// When a frame is taken, and which of its images are kept.
+/// The times of a frame, and which of its images are kept.
 struct FrameTimes {
   Timestamp color;
   Timestamp depth;
   bool has_color = true;
   bool has_depth = true;
 
-  /// In the time of the world, which begins with the first frame.
+  /// Returns the times of the kept images in the time of the world, which begins with the first
+  /// frame.
   [[nodiscard]] Exposure exposure() const;
 };
 
-/// The first `frames` frames at 30 Hz. Any two schedules of the same options and seed agree in the
-/// frames that both have.
+/// Returns the first `frames` frames at 30 Hz. Two schedules of the same options and seed agree in
+/// the frames that both have.
 [[nodiscard]] std::vector<FrameTimes> schedule(std::size_t frames, const SensorOptions& options,
                                                std::uint32_t world_seed);
 
-/// The stamps of the world's time from the first frame to the last: 100 a second, and those of the
-/// colour images that are kept, in order, none twice.
+/// Returns the stamps of the ground truth from the first frame to the last, in order and without
+/// duplicates: 100 a second, and those of the kept colour images.
 [[nodiscard]] std::vector<Timestamp> reference_stamps(const std::vector<FrameTimes>& frames);
 
-/// The time of the world at a stamp [s].
+/// Returns the time of the world at a stamp [s].
 [[nodiscard]] double world_seconds(const Timestamp& stamp);
 
 }  // namespace cvo_slam::synthetic

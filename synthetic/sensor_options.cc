@@ -63,93 +63,95 @@ Presets presets() { return {{"none", {}}, {"kinect", kinect()}, {"harsh", harsh(
 OptionSet describe(DepthNoiseOptions& o) {
   return OptionSet()
       .add("axial", o.axial, {0, 100}, "",
-           "Factor on the Kinect's axial noise, whose standard deviation at depth z and angle of "
-           "incidence a is 0.0012 + 0.0019 (z - 0.4)^2 + 0.0001 / sqrt(z) (a / (pi/2 - a))^2 m "
-           "(Nguyen, Izadi, Lovell, 3DIMPVT 2012). 1 = a Kinect; quantisation is part of it.")
+           "Factor on the Kinect's noise along the ray; 1 = a Kinect. Its standard deviation at "
+           "depth z and angle of incidence a is 0.0012 + 0.0019 (z - 0.4)^2 + 0.0001 / sqrt(z) "
+           "(a / (pi/2 - a))^2 m, including quantisation (Nguyen, Izadi, Lovell, 3DIMPVT 2012).")
       .add("lateral", o.lateral, {0, 100}, "",
-           "Factor on the Kinect's lateral noise, by which edges are displaced: 0.8 + 0.035 a / "
-           "(pi/2 - a) px (the same source). 1 = a Kinect.")
+           "Factor on the Kinect's noise of the position of edges; 1 = a Kinect. Its standard "
+           "deviation is 0.8 + 0.035 a / (pi/2 - a) px (the same source).")
       .add("correlation", o.correlation, {0, 10}, "px",
            "Standard deviation of the Gaussian that smooths the noise over the image; 0 = each "
-           "pixel on its own. The Kinect matches windows, so that neighbours err alike; with 1 "
+           "pixel on its own. A Kinect matches windows, so that neighbours err alike; with 1, "
            "pixels three apart are independent.")
-      .add("disparity_step", o.disparity_step, {0, 4}, "px",
-           "Disparity is measured in multiples of this, at a focal length of 580 px and a baseline "
-           "of 0.075 m as the Kinect's, whatever the image's size; 0 = continuous. A Kinect has "
-           "1/8: 3 mm at 1 m, 26 mm at 3 m.")
+      .add(
+          "disparity_step", o.disparity_step, {0, 4}, "px",
+          "Step of the measured disparity, for the Kinect's focal length of 580 px and baseline of "
+          "0.075 m at any image size; 0 = continuous. A Kinect has 1/8: 3 mm at 1 m, 26 mm at "
+          "3 m.")
       .add("shadows", o.shadows,
-           "No depth where something nearer hides a surface from the infrared projector, 0.075 m "
-           "to the camera's right: to the left of near objects.")
+           "Depth is missing if a nearer object hides the surface from the infrared projector, "
+           "which is 0.075 m to the right of the camera. Shadows are to the left of near objects.")
       .add("min_range", o.min_range, {0, 1000}, "m",
-           "No depth nearer than this. A Kinect's is 0.5 m.")
+           "Depth below this is missing. For a Kinect: 0.5 m.")
       .add("max_range", o.max_range, {0, 1000}, "m",
-           "No depth farther than this. Beyond 5 m a Kinect's steps exceed 70 mm.")
+           "Depth above this is missing. For a Kinect: 5 m, beyond which its steps exceed 70 mm.")
       .add("max_incidence", o.max_incidence, {0, 0.5 * std::numbers::pi}, "rad",
-           "No depth where the angle between the ray and the surface's normal is larger: the "
-           "projected dots are too elongated to be matched. 1.4 = 80 deg for a Kinect.")
+           "Depth at larger angles between ray and surface normal is missing, because the "
+           "projected dots are too elongated to be matched. For a Kinect: 1.4 = 80 deg.")
       .add("min_reflectance", o.min_reflectance, {0, 1}, "",
-           "No depth on surfaces that reflect less, which return too little of the projector's "
-           "light. Off for a Kinect: what is dark to the eye is often bright in infrared.")
-      .add("missing", o.missing, {0, 0.95}, "",
-           "Share of the pixels that lack depth for no reason in the scene, in patches of some 20 "
-           "px that come and go with each frame. Of fr1/rpy 0.21 to 0.29 is missing for all "
-           "reasons together.");
+           "Depth of surfaces that reflect a smaller share of light is missing. Off for a Kinect: "
+           "what is dark to the eye is often bright in infrared.")
+      .add(
+          "missing", o.missing, {0, 0.95}, "",
+          "Share of the pixels without depth for no reason in the scene, in patches of about 20 px "
+          "that change with each frame. In fr1/rpy, 0.21 to 0.29 is missing for all reasons "
+          "together.");
 }
 
 OptionSet describe(ImageNoiseOptions& o) {
   return OptionSet()
       .add("read", o.read, {0, 100}, "grey levels",
-           "Standard deviation of the noise of a black pixel, each channel on its own.")
+           "Standard deviation of the noise of a black pixel, independent in each channel.")
       .add("shot", o.shot, {0, 100}, "grey levels",
-           "Standard deviation of the photons' noise at white; its variance is proportional to the "
-           "light. 2.5 belongs to a full well of 10,000 electrons.");
+           "Standard deviation of the shot noise of a white pixel; its variance is proportional to "
+           "the light. 2.5 corresponds to a full well of 10,000 electrons.");
 }
 
 OptionSet describe(ExposureOptions& o) {
   return OptionSet()
       .add("time", o.time, {0, 0.033}, "s",
-           "Light is collected so long about the stamp, by which moving images are blurred: the "
-           "average of instants in steps of about a pixel. 0 = an instant.")
+           "Exposure time, centred at the stamp. It blurs moving images: they are the average of "
+           "instants in steps of about a pixel. 0 = an instant.")
       .add("readout", o.readout, {0, 0.033}, "s",
-           "Time from the first to the last row of both images; the stamp and the true pose are "
-           "those of the middle of the image. A rolling shutter as the Kinect's needs most of the "
-           "frame period; 0 = all rows at once.")
+           "Time from the first to the last row of both images; stamp and true pose are those of "
+           "the middle of the image. The rolling shutter of a Kinect takes most of the frame "
+           "period; 0 = all rows at once.")
       .add("drift", o.drift, {0, 2}, "",
            "Standard deviation of slow changes of the exposure's logarithm.")
       .add("drift_period", o.drift_period, {0.1, 1000}, "s",
-           "The exposure drifts from one value to an independent one in this time.")
+           "Time in which the exposure drifts from one value to an independent one.")
       .add("jump", o.jump, {0, 2}, "",
-           "Standard deviation of the logarithm of the levels between which an automatic exposure "
-           "jumps. 0.2 = one fifth brighter or darker.")
-      .add("jump_interval", o.jump_interval, {0.1, 1000}, "s", "Mean time between such jumps.");
+           "Standard deviation of the exposure's logarithm between jumps of an automatic exposure. "
+           "0.2 = one fifth brighter or darker.")
+      .add("jump_interval", o.jump_interval, {0.1, 1000}, "s", "Mean time between jumps.");
 }
 
 OptionSet describe(TimingOptions& o) {
   return OptionSet()
       .add("depth_jitter", o.depth_jitter, {0, 0.0117}, "s",
-           "Standard deviation of the difference of the stamps of the depth and the colour image, "
-           "at most sqrt(2) times that: the two cameras have no common clock. 0.0117 on fr1/rpy; "
-           "more would pair images with another frame's. The depth image is what is seen at its "
-           "own stamp.")
+           "Standard deviation of the difference between the stamps of depth and colour, which is "
+           "at most sqrt(2) times this: the two cameras have no common clock. 0.0117 on fr1/rpy; "
+           "larger values would pair images of different frames. The depth image shows the scene "
+           "at its own stamp.")
       .add("drop_color", o.drop_color, {0, 0.9}, "", "Share of frames without a colour image.")
       .add("drop_depth", o.drop_depth, {0, 0.9}, "", "Share of frames without a depth image.")
       .add("drop_both", o.drop_both, {0, 0.9}, "",
-           "Share of frames without either. The first frame is never dropped.");
+           "Share of frames without both images. The first frame is never dropped.");
 }
 
 OptionSet describe(MovingObjectOptions& o) {
   return OptionSet()
-      .add("count", o.count, {0, 100}, "", "Boxes that swing through the view.")
+      .add("count", o.count, {0, 100}, "", "Number of boxes that swing through the field of view.")
       .add("size", o.size, {0.01, 10}, "m",
-           "Mean length of their edges: about that of a person's "
-           "shoulders.")
-      .add("speed", o.speed, {0, 100}, "m/s", "Their largest speed. Slower than people walk.");
+           "Mean length of their edges. 0.35 is about the width of a person's shoulders.")
+      .add("speed", o.speed, {0, 100}, "m/s",
+           "Largest speed of the boxes. 0.5 is slower than people walk.");
 }
 
 OptionSet describe(SensorOptions& o) {
   return OptionSet()
       .add("seed", o.seed, {0}, "",
-           "Of all that is random about the sensor, together with the world's seed: another one "
+           "Seed of all noise of the sensor, together with the seed of the world. Another seed "
            "records the same world with other noise.")
       .add("depth", describe(o.depth))
       .add("image", describe(o.image))

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// What distinguishes a recorded camera from an ideal one. By default all effects are off, as in the
+// preset "none". docs/sensor.md has the formulas and their sources.
 #pragma once
 
 #include <numbers>
@@ -8,56 +11,84 @@
 
 #include "cvo_slam/core/options.h"
 
-// What is not ideal about a recorded camera. Everything is off by default: the options of the
-// preset "none". docs/sensor.md has the formulas and their sources.
-
 namespace cvo_slam::synthetic {
 
-/// Of a structured-light depth camera.
+/// A structured-light depth camera.
 struct DepthNoiseOptions {
-  double axial = 0;           ///< factor on the Kinect's noise along the ray
-  double lateral = 0;         ///< factor on the Kinect's noise of the place of edges
-  double correlation = 0;     ///< [px] of both
-  double disparity_step = 0;  ///< [px]
+  /// Factor on the Kinect's noise along the ray, in [0, 100]; 1 = a Kinect.
+  double axial = 0;
+  /// Factor on the Kinect's noise of the position of edges, in [0, 100]; 1 = a Kinect.
+  double lateral = 0;
+  /// Standard deviation of the Gaussian that smooths the noise over the image [px], in [0, 10].
+  /// 0 = each pixel on its own. A Kinect matches windows, so that neighbours err alike: use 1.
+  double correlation = 0;
+  /// Step of the measured disparity [px], in [0, 4]; 0 = continuous. A Kinect has 1/8.
+  double disparity_step = 0;
+  /// True if a surface that is hidden from the infrared projector has no depth.
   bool shadows = false;
-  double min_range = 0;                           ///< [m]
-  double max_range = 1000;                        ///< [m]
-  double max_incidence = 0.5 * std::numbers::pi;  ///< [rad]
+  /// Depth below this is missing [m], in [0, 1000]. For a Kinect: 0.5.
+  double min_range = 0;
+  /// Depth above this is missing [m], in [0, 1000]. For a Kinect: 5, beyond which its steps exceed
+  /// 70 mm.
+  double max_range = 1000;
+  /// Depth at larger angles between ray and surface normal is missing [rad], in [0, pi/2]. For a
+  /// Kinect: 1.4.
+  double max_incidence = 0.5 * std::numbers::pi;
+  /// Depth of surfaces that reflect a smaller share of light is missing, in [0, 1]. Off for a
+  /// Kinect: what is dark to the eye is often bright in infrared.
   double min_reflectance = 0;
+  /// Share of the pixels without depth for no reason in the scene, in [0, 0.95].
   double missing = 0;
 };
 
-/// Of the colour camera's chip.
+/// The chip of the colour camera.
 struct ImageNoiseOptions {
-  double read = 0;  ///< [grey levels]
-  double shot = 0;  ///< of a white pixel [grey levels]
+  /// Standard deviation of the noise of a black pixel [grey levels], in [0, 100].
+  double read = 0;
+  /// Standard deviation of the shot noise of a white pixel [grey levels], in [0, 100].
+  double shot = 0;
 };
 
-/// When light is collected, and what becomes of it.
+/// The exposure of both images.
 struct ExposureOptions {
-  double time = 0;     ///< [s]
-  double readout = 0;  ///< [s]
+  /// Exposure time [s], in [0, 0.033]; 0 = an instant, without motion blur.
+  double time = 0;
+  /// Time from the first to the last row [s], in [0, 0.033]; 0 = all rows at once.
+  double readout = 0;
+  /// Standard deviation of slow changes of the exposure's logarithm, in [0, 2].
   double drift = 0;
-  double drift_period = 4;  ///< [s]
+  /// Time in which the exposure drifts from one value to an independent one [s], in [0.1, 1000].
+  double drift_period = 4;
+  /// Standard deviation of the exposure's logarithm between jumps of an automatic exposure, in
+  /// [0, 2].
   double jump = 0;
-  double jump_interval = 4;  ///< [s]
+  /// Mean time between jumps [s], in [0.1, 1000].
+  double jump_interval = 4;
 };
 
+/// The stamps and the completeness of frames.
 struct TimingOptions {
-  double depth_jitter = 0;  ///< [s]
+  /// Standard deviation of the difference between the stamps of depth and colour [s], in
+  /// [0, 0.0117]. Larger values would pair images of different frames.
+  double depth_jitter = 0;
+  /// Share of frames without a colour image, in [0, 0.9].
   double drop_color = 0;
+  /// Share of frames without a depth image, in [0, 0.9].
   double drop_depth = 0;
+  /// Share of frames without both images, in [0, 0.9].
   double drop_both = 0;
 };
 
-/// Boxes that swing through the view.
+/// Boxes that swing through the field of view.
 struct MovingObjectOptions {
-  int count = 0;
-  double size = 0.35;  ///< [m]
-  double speed = 0.5;  ///< [m/s]
+  int count = 0;       ///< number of boxes, in [0, 100]
+  double size = 0.35;  ///< mean length of their edges [m], in [0.01, 10]; as a person's shoulders
+  double speed = 0.5;  ///< largest speed [m/s], in [0, 100]; slower than people walk
 };
 
 struct SensorOptions {
+  /// Seed of all noise of the sensor, together with the seed of the world. Another seed records the
+  /// same world with other noise.
   int seed = 0;
   DepthNoiseOptions depth;
   ImageNoiseOptions image;
@@ -73,12 +104,12 @@ struct SensorOptions {
 [[nodiscard]] OptionSet describe(MovingObjectOptions& options);
 [[nodiscard]] OptionSet describe(SensorOptions& options);
 
-/// Throws OptionError where an option is out of range, or two contradict one another.
+/// Throws OptionError if an option is out of range or two options contradict each other.
 void check(const SensorOptions& options);
 
-/// "none", "kinect" (as a first-generation Kinect in a living room) or "harsh" (each effect about
-/// twice as strong, in bad light and among people). Throws OptionError for another name; the
-/// message gives the nearest one.
+/// Returns the preset "none", "kinect" (a first-generation Kinect in a living room) or "harsh"
+/// (each effect about twice as strong, in bad light and among people). Throws OptionError for
+/// another name; the message suggests the nearest one.
 [[nodiscard]] SensorOptions sensor_preset(const std::string& name);
 [[nodiscard]] std::vector<std::string> sensor_preset_names();
 

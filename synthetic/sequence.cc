@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,6 +25,46 @@
 
 namespace cvo_slam::synthetic {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// The file that marks a folder as a synthetic sequence.
+constexpr const char* kMarkerFile = "synthetic.yaml";
+
+void require_writable_place(const fs::path& folder) {
+  if (!fs::exists(folder) || fs::exists(folder / kMarkerFile)) return;
+  if (!fs::is_directory(folder)) {
+    throw OutputError(folder, "is not a folder; choose another output folder");
+  }
+  if (!fs::is_empty(folder)) {
+    throw OutputError(folder, fmt::format("is not empty and not a synthetic sequence (no {}); "
+                                          "choose another output folder",
+                                          kMarkerFile));
+  }
+}
+
+/// Removes the files that write_sequence() made; other files stay.
+void remove_old_sequence(const fs::path& folder) {
+  // The lists go first: after an interruption the rest is no sequence any more.
+  for (const char* name : {"rgb.txt", "depth.txt", "groundtruth.txt", "camera.yaml"}) {
+    fs::remove(folder / name);
+  }
+  for (const char* name : {"rgb", "depth"}) fs::remove_all(folder / name);
+}
+
+/// Creates the folder, or removes the sequence that an earlier call wrote there. Throws OutputError
+/// if it contains anything else, so that no file of the user is lost.
+void prepare_output_folder(const fs::path& folder) {
+  try {
+    require_writable_place(folder);
+    remove_old_sequence(folder);
+    fs::create_directories(folder / "rgb");
+    fs::create_directories(folder / "depth");
+  } catch (const fs::filesystem_error& error) {
+    throw OutputError(
+        folder, fmt::format("cannot be prepared ({}); check permissions", error.code().message()));
+  }
+}
 
 constexpr double kFrameRate = 30;  // [Hz]
 
@@ -55,8 +96,9 @@ const char* extension(ImageFormat format) { return format == ImageFormat::kPng ?
 void write_image(const std::filesystem::path& file, const cv::Mat& image) {
   constexpr int kJpegQuality = 95;
   std::vector<unsigned char> bytes;
-  // Without a level OpenCV tries one row filter only: 5 % larger than the lowest level that can be
-  // named, in two thirds of its time; and that is 40 % larger than the highest in a tenth.
+  // Without a compression level OpenCV tries one row filter only: files 5 % larger than at the
+  // lowest level, in two thirds of the time. Those of the lowest level are 40 % larger than those
+  // of the highest, in a tenth of the time.
   const bool encoded = cv::imencode(file.extension().string(), image, bytes,
                                     {cv::IMWRITE_JPEG_QUALITY, kJpegQuality,
                                      cv::IMWRITE_PNG_STRATEGY, cv::IMWRITE_PNG_STRATEGY_DEFAULT});
@@ -75,7 +117,7 @@ std::string image_list(const char* title, const char* folder, const char* extens
 
 const char* format_name(ImageFormat format) { return format == ImageFormat::kPng ? "png" : "jpeg"; }
 
-/// The options that differ from their defaults, as the command line takes them.
+/// Returns the options that differ from their defaults, in the syntax of the command line.
 std::string settings_text(SensorOptions sensor) {
   SensorOptions defaults;
   const OptionSet ideal = describe(defaults);
@@ -119,7 +161,7 @@ Camera camera_of(const SequenceOptions& options) {
   return camera;
 }
 
-/// One sequence in the making.
+/// Writes the files of one sequence.
 class Recorder {
  public:
   Recorder(const std::filesystem::path& folder, const SequenceOptions& options)
@@ -217,7 +259,7 @@ SequenceSummary write_sequence(const std::filesystem::path& folder, const Sequen
   prepare_output_folder(folder);
   recorder.write_marker();
 
-  // Frames are independent; batches only serve to report progress from this thread.
+  // Frames are independent. Batches only serve to report progress in this thread.
   const Executor executor(threads);
   const std::size_t total = recorder.frames();
   if (progress) progress(0, total);

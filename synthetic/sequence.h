@@ -19,39 +19,39 @@ enum class ImageFormat { kPng, kJpeg };
 
 /// What to record of a world.
 struct SequenceOptions {
-  std::string scene = "room";  ///< one of world_names(), or a world file (*.yaml)
-  std::uint32_t seed = 1;      ///< of textures, clutter, tremor, and of the sensor
-  std::optional<PathStyle> path = std::nullopt;  ///< empty = the world's own
-  double speed = 1;                              ///< 2 = the same way in half the time
-  std::optional<std::size_t> frames;  ///< the first so many at 30 Hz; empty = the whole path
+  std::string scene = "room";  ///< a name of world_names(), or a world file (*.yaml)
+  std::uint32_t seed = 1;      ///< seed of textures, clutter, tremor and sensor
+  std::optional<PathStyle> path = std::nullopt;  ///< empty = the world's own path
+  double speed = 1;                              ///< 2 = the same path in half the time
+  std::optional<std::size_t> frames;  ///< number of frames at 30 Hz; empty = the whole path
   int width = 640;                    ///< [px] in [16, 4096]
   int height = 480;                   ///< [px] in [16, 4096]
-  /// Of the colour images. PNG by default: without loss, so that colour is as exact as the poses;
-  /// JPEG (quality 95) takes about a third of the space.
+  /// Format of the colour images. PNG is lossless, so that colour is as exact as the poses; JPEG
+  /// (quality 95) takes about a third of the space.
   ImageFormat image = ImageFormat::kPng;
-  SensorOptions sensor = {};  ///< an ideal one by default
+  SensorOptions sensor = {};  ///< the default is an ideal sensor
 };
 
 struct SequenceSummary {
-  std::size_t frames = 0;  ///< with those whose images were dropped
-  double seconds = 0;      ///< from the first to the last stamp
-  double path_length = 0;  ///< of the camera [m]
+  std::size_t frames = 0;  ///< number of frames, including those whose images were dropped
+  double seconds = 0;      ///< time from the first to the last stamp
+  double path_length = 0;  ///< length of the camera path [m]
 };
 
-/// Called from the calling thread with the number of frames done and their total.
+/// Called in the calling thread with the number of frames done and their total.
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// The camera of synthetic sequences: the field of view of a Kinect, no distortion, 5000 depth
-/// units a metre.
+/// Returns the camera of synthetic sequences: the field of view of a Kinect, no distortion, 5000
+/// depth units a metre.
 [[nodiscard]] Camera synthetic_camera(int width, int height);
 
 /// Records a sequence in the layout of the TUM RGB-D benchmark: rgb/, depth/, rgb.txt, depth.txt,
-/// groundtruth.txt (the exact poses at the colour images' stamps and 100 times a second),
-/// camera.yaml and synthetic.yaml, which says how to make it again and marks the folder as one that
-/// a later call may replace. Frames are made on `threads` threads; the files do not depend on their
-/// number. The lists are written last, so that a recording that was cut short cannot be taken for a
-/// whole one.
-/// Throws OptionError for a bad option, and OutputError where the folder holds anything but a
+/// groundtruth.txt (the exact poses at the stamps of the colour images and 100 times a second),
+/// camera.yaml and synthetic.yaml, which contains the command that made the sequence and marks the
+/// folder as one that a later call may replace. `threads` threads make the frames; the files do not
+/// depend on their number. The lists are written last, so that an interrupted recording is not
+/// mistaken for a complete one.
+/// Throws OptionError for a bad option, and OutputError if the folder contains anything but a
 /// synthetic sequence or cannot be written.
 SequenceSummary write_sequence(const std::filesystem::path& folder, const SequenceOptions& options,
                                int threads = 1, const Progress& progress = {});

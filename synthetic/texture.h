@@ -8,45 +8,45 @@
 
 namespace cvo_slam::synthetic {
 
-/// Red, green, blue reflectance in [0, 1]; there is no gamma: twice the light, twice the grey
-/// level.
-using Color = Eigen::Array3d;
+/// Red, green and blue on a linear scale, 1 = white. There is no gamma: twice the light gives twice
+/// the grey level.
+using LinearColor = Eigen::Array3d;
 
-/// What a surface looks like. All patterns are procedural and repeat nowhere.
+/// The pattern of a surface. All patterns are procedural and do not repeat.
 enum class Pattern {
   kPlaster,    ///< blotches of up to three times the scale, and grain
   kWood,       ///< planks along u with rings and grain
   kBricks,     ///< courses of bricks in mortar
-  kTiles,      ///< checker of base and accent with joints
-  kStripes,    ///< stripes along v (wallpaper)
-  kPlaid,      ///< crossing stripes (cloth)
+  kTiles,      ///< chequers of base and accent with joints
+  kStripes,    ///< stripes along v, as on wallpaper
+  kPlaid,      ///< crossing stripes, as on cloth
   kCarpet,     ///< ornament in a border
-  kText,       ///< a printed page: base is the paper, accent the ink
+  kText,       ///< printed page: base is the paper, accent the ink
   kPoster,     ///< picture, title and text in a white margin
   kSpine,      ///< back of a book
-  kLandscape,  ///< hills under clouds: what a window shows
-  kCollage,    ///< a plane full of posters, each `scale` wide
+  kLandscape,  ///< hills under clouds, as seen through a window
+  kCollage,    ///< plane full of posters, each `scale` wide
 };
 
-/// A procedural texture; a value that a scene file can describe.
+/// A procedural texture; world files can describe all of it.
 struct Texture {
   Pattern pattern = Pattern::kPlaster;
-  Color base = Color::Constant(0.7);
-  Color accent = Color::Constant(0.4);
+  LinearColor base = LinearColor::Constant(0.7);    ///< reflectance in [0, 1]
+  LinearColor accent = LinearColor::Constant(0.4);  ///< reflectance in [0, 1]
   double scale = 0.1;         ///< size of the pattern's unit: plank, brick, tile, line of text [m]
   double contrast = 0.3;      ///< strength of the irregularities, in [0, 1]
-  bool quarter_turn = false;  ///< swaps the texture's axes, e.g. for an upright plank
+  bool quarter_turn = false;  ///< swaps the axes of the texture, as an upright plank needs
   std::uint32_t seed = 0;     ///< two surfaces with different seeds look different
 };
 
-/// Where on a surface a texture is looked up, and how large the pixel is there.
+/// A position on a surface, and the size of a pixel there.
 struct SurfacePoint {
   double u = 0, v = 0;            ///< to the right and down from the upper left corner [m]
   double size_u = 1, size_v = 1;  ///< extent of the surface [m]
   double footprint_u = 1e-3, footprint_v = 1e-3;  ///< extent of the pixel on the surface [m]
 };
 
-/// The texture averaged over the pixel's footprint, each channel in [0, 1].
-[[nodiscard]] Color sample(const Texture& texture, const SurfacePoint& point);
+/// Returns the reflectance averaged over the footprint of the pixel, each channel in [0, 1].
+[[nodiscard]] LinearColor sample(const Texture& texture, const SurfacePoint& point);
 
 }  // namespace cvo_slam::synthetic

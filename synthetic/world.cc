@@ -10,8 +10,7 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/options.h"
 #include "cvo_slam/synthetic/built_in_worlds_internal.h"
-#include "cvo_slam/synthetic/path_styles_internal.h"
-#include "cvo_slam/synthetic/world_file.h"
+#include "cvo_slam/synthetic/path_planning_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {

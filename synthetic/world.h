@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -10,51 +11,62 @@
 #include <vector>
 
 #include "cvo_slam/synthetic/camera_path.h"
-#include "cvo_slam/synthetic/scene.h"
+#include "cvo_slam/synthetic/world_scene.h"
 
 namespace cvo_slam::synthetic {
 
-/// Where all but a world's own path are walked.
+/// The viewpoint that all path styles but kWalk are built around.
 struct Anchor {
   Viewpoint view;
-  /// How far the camera may turn away from the target to either side; pi = all around [rad].
+  /// Largest turn of the camera away from the target to either side; pi = all around [rad].
   double pan = std::numbers::pi;
 };
 
-/// A scene and a camera's way through it.
+/// A scene and the path of a camera through it.
 struct World {
-  Scene scene;
+  WorldScene scene;
   CameraPath path;
   Anchor anchor;
 };
 
-/// How a camera moves; all are made from a world's anchor.
+/// Styles of camera motion. All paths are made from the anchor of a world, except kWalk.
 enum class PathStyle {
-  kHandheld,  ///< wanders about the anchor and looks around, as a hand does
-  kOrbit,     ///< on an arc about the anchor's target, to and fro
-  kWalk,      ///< along the world's own path, with the view ahead
-  kRotate,    ///< turns on the spot: no translation at all
-  kStill,     ///< on a tripod: no motion at all
-  kShake,     ///< stands, and trembles five (turning: ten) times as much as a hand
+  kHandheld,  ///< moves about the anchor and looks around, as a hand-held camera does
+  kOrbit,     ///< moves to and fro on an arc about the target of the anchor
+  kWalk,      ///< follows the world's own path and looks ahead
+  kRotate,    ///< turns on the spot, without any translation
+  kStill,     ///< does not move at all
+  kShake,     ///< stands and trembles: five times the translation, ten times the rotation of a hand
 };
 [[nodiscard]] const std::vector<std::pair<std::string, PathStyle>>& path_style_names();
 
 struct WorldOptions {
-  std::uint32_t seed = 1;                         ///< of textures, clutter and tremor
+  std::uint32_t seed = 1;                         ///< seed of textures, clutter and tremor
   std::optional<PathStyle> style = std::nullopt;  ///< empty = the world's own path
-  double speed = 1;                               ///< 2 = the same way in half the time
+  double speed = 1;                               ///< 2 = the same path in half the time
 };
 
-/// The built-in world of that name, or that of a file, which a name ending in ".yaml" or ".yml"
-/// means. The seed changes textures, clutter and tremor, not the plan.
-/// Throws OptionError for an unknown name (the message gives the nearest one), for a speed that is
-/// not positive, and where the path of that style would lead the camera into a surface; InputError
-/// for a bad file.
+/// Returns the built-in world of that name or, if the name ends in ".yaml" or ".yml", the world of
+/// that file. The seed changes textures, clutter and tremor, but not the layout. Throws OptionError
+/// for an unknown name (the message suggests the nearest one), for a speed that is not positive,
+/// and if the path would lead the camera into a surface. Throws InputError for a bad file.
 [[nodiscard]] World make_world(const std::string& name, const WorldOptions& options = {});
 [[nodiscard]] std::vector<std::string> world_names();
 
-/// Throws OptionError where the camera comes nearer than 5 cm to a surface; the message names the
-/// time. What moves is taken where it rests.
-void check_path(const Scene& scene, const CameraPath& path);
+/// Reads a world file; docs/worlds.md describes the format. Textures and tremor without a seed of
+/// their own get one from `seed`. Throws InputError with file and line for an unknown key or word
+/// (the message suggests the nearest one), a bad number, an impossible size, too few viewpoints,
+/// and if the camera would come nearer than 5 cm to a surface (with the time).
+[[nodiscard]] World read_world(const std::filesystem::path& file, std::uint32_t seed = 1);
+/// Reads a world from a text. `file` is named in error messages.
+[[nodiscard]] World parse_world(const std::string& text, const std::filesystem::path& file,
+                                std::uint32_t seed = 1);
+
+/// Returns the text of a world file that gives exactly this world again, to the last bit.
+[[nodiscard]] std::string world_text(const World& world);
+
+/// Throws OptionError, which names the time, if the camera comes nearer than 5 cm to a surface.
+/// Moving shapes are taken at rest.
+void check_path(const WorldScene& scene, const CameraPath& path);
 
 }  // namespace cvo_slam::synthetic

@@ -1,24 +1,109 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/LU>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/options.h"
 #include "cvo_slam/io/yaml_value.h"
-#include "cvo_slam/synthetic/material_names_internal.h"
-#include "cvo_slam/synthetic/path_check_internal.h"
+#include "cvo_slam/synthetic/materials_internal.h"
+#include "cvo_slam/synthetic/path_planning_internal.h"
 #include "cvo_slam/synthetic/random_internal.h"
 #include "cvo_slam/synthetic/scene_builder_internal.h"
-#include "cvo_slam/synthetic/world_file.h"
-#include "cvo_slam/synthetic/world_values_internal.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 namespace {
 
-/// What a file says, in the making.
+// The functions below read the values of world files. They throw InputError with the line of the
+// value if it is something else; `what` names it in the message.
+
+double number_in(const YamlValue& value, const std::string& what, double low, double high) {
+  const double number = value.number(what);
+  if (number < low || number > high) {
+    value.fail(fmt::format("{}: {} must be in [{}, {}]", what, number, low, high));
+  }
+  return number;
+}
+
+double positive(const YamlValue& value, const std::string& what) {
+  const double number = value.number(what);
+  if (number <= 0) value.fail(fmt::format("{}: {} must be positive", what, number));
+  return number;
+}
+
+double not_negative(const YamlValue& value, const std::string& what) {
+  const double number = value.number(what);
+  if (number < 0) value.fail(fmt::format("{}: {} must not be negative", what, number));
+  return number;
+}
+
+Vector3 vector3(const YamlValue& value, const std::string& what) {
+  const auto numbers = value.numbers(what, 3);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+/// Returns `count` positive numbers.
+std::vector<double> sizes(const YamlValue& value, const std::string& what, std::size_t count) {
+  auto numbers = value.numbers(what, count);
+  for (const double number : numbers) {
+    if (number <= 0) value.fail(fmt::format("{}: the size {} must be positive", what, number));
+  }
+  return numbers;
+}
+
+std::uint32_t seed_of(const YamlValue& value) {
+  constexpr double kLargest = 4294967295.0;
+  const double number = number_in(value, "seed", 0, kLargest);
+  const auto seed = static_cast<std::uint32_t>(number);
+  if (seed != number) value.fail(fmt::format("seed: {} must be a whole number", number));
+  return seed;
+}
+
+/// Returns red, green and blue in [0, 1].
+LinearColor read_color(const YamlValue& value, const std::string& what) {
+  const LinearColor result = vector3(value, what).array();
+  if ((result < 0).any() || (result > 1).any()) {
+    value.fail(fmt::format("{}: red, green and blue must be in [0, 1]", what));
+  }
+  return result;
+}
+
+/// Returns the one of the keys that a shape has; empty if it has none.
+std::string one_of(const YamlValue& value, const std::vector<std::string>& keys) {
+  std::string found;
+  for (const auto& key : keys) {
+    if (value.find(key) == nullptr) continue;
+    if (!found.empty()) {
+      value.fail(fmt::format("shape: give one of {} and {}, not several",
+                             fmt::join(keys.begin(), keys.end() - 1, ", "), keys.back()));
+    }
+    found = key;
+  }
+  return found;
+}
+
+/// Returns the value that a name stands for.
+template <typename Value>
+const Value& lookup(const std::vector<std::pair<std::string, Value>>& names, const YamlValue& value,
+                    const std::string& what) {
+  const std::string& name = value.word(what);
+  std::vector<std::string> known;
+  for (const auto& entry : names) {
+    if (entry.first == name) return entry.second;
+    known.push_back(entry.first);
+  }
+  value.fail(fmt::format("{}: '{}' is unknown; {}", what, name, suggestion(name, known)));
+}
+
+/// Reads the parts of a world file.
 class WorldReader {
  public:
   WorldReader(const YamlValue& root, std::uint32_t seed)
@@ -28,7 +113,7 @@ class WorldReader {
 
   World read() {
     read_materials();
-    const Scene scene = read_scene();
+    const WorldScene scene = read_scene();
     const YamlValue& path_value = root_.require("path", "world");
     const CameraPath path = read_path(path_value);
     if (const auto collision = first_collision(scene, path)) {
@@ -47,12 +132,12 @@ class WorldReader {
     for (const auto& [name, value] : materials->map("materials")) {
       materials_.emplace_back(name, read_texture(value));
     }
-    // The file's own come first, so that they may redefine the built-in ones.
+    // Materials of the file come first, so that they can redefine built-in ones.
     std::rotate(materials_.begin(),
                 materials_.begin() + static_cast<long>(named_materials().size()), materials_.end());
   }
 
-  /// A name, or a description that may build on a named one.
+  /// Returns the material of a name, or of a description, which may start from a named material.
   Texture read_texture(const YamlValue& value) {
     if (value.is_word()) return lookup(materials_, value, "material");
     value.check_keys({"like", "pattern", "base", "accent", "scale", "contrast", "quarter_turn"},
@@ -62,8 +147,8 @@ class WorldReader {
     if (const auto* pattern = value.find("pattern")) {
       texture.pattern = lookup(pattern_names(), *pattern, "pattern");
     }
-    if (const auto* base = value.find("base")) texture.base = color(*base, "base");
-    if (const auto* accent = value.find("accent")) texture.accent = color(*accent, "accent");
+    if (const auto* base = value.find("base")) texture.base = read_color(*base, "base");
+    if (const auto* accent = value.find("accent")) texture.accent = read_color(*accent, "accent");
     if (const auto* scale = value.find("scale")) texture.scale = positive(*scale, "scale");
     if (const auto* contrast = value.find("contrast")) {
       texture.contrast = number_in(*contrast, "contrast", 0, 1);
@@ -74,8 +159,8 @@ class WorldReader {
     return texture;
   }
 
-  Scene read_scene() {
-    Scene scene;
+  WorldScene read_scene() {
+    WorldScene scene;
     if (const auto* ambient = root_.find("ambient")) {
       scene.ambient = not_negative(*ambient, "ambient");
     }
@@ -100,8 +185,8 @@ class WorldReader {
     Primitive primitive{
         read_shape(value), {}, read_texture(value.require("material", "shape")), {}};
     primitive.T_world_shape = SE3(read_rotation(value), read_center(value, primitive.shape));
-    const std::uint32_t drawn =
-        random_.bits();  // also where the file has one: others stay the same
+    // A seed is drawn for every shape, so that a seed in the file does not change the others.
+    const std::uint32_t drawn = random_.bits();
     const auto* seed = value.find("seed");
     primitive.texture.seed = seed != nullptr ? seed_of(*seed) : drawn;
     if (const auto* swing = value.find("swing")) {
@@ -118,7 +203,7 @@ class WorldReader {
   static Shape read_shape(const YamlValue& value) {
     const std::string kind = one_of(value, {"box", "sheet", "cylinder", "sphere"});
     if (kind.empty()) {
-      value.fail("shape: say what it is: box, sheet, cylinder or sphere, with its size");
+      value.fail("shape: give its kind and size: box, sheet, cylinder or sphere");
     }
     const YamlValue& size = *value.find(kind);
     if (kind == "sphere") return Sphere{positive(size, kind)};
@@ -153,7 +238,7 @@ class WorldReader {
 
   static Vector3 read_center(const YamlValue& value, const Shape& shape) {
     const std::string key = one_of(value, {"at", "on"});
-    if (key.empty()) value.fail("shape: say where it is: 'at' (its centre) or 'on' (its foot)");
+    if (key.empty()) value.fail("shape: give its position: 'at' (its centre) or 'on' (its foot)");
     Vector3 place = vector3(*value.find(key), key);
     if (key == "at") return place;
     double height = 0;

@@ -6,16 +6,16 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/synthetic/material_names_internal.h"
+#include "cvo_slam/synthetic/materials_internal.h"
 #include "cvo_slam/synthetic/scene_builder_internal.h"
-#include "cvo_slam/synthetic/world_file.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 namespace {
 
-// fmt writes the shortest digits that give the same double again.
+// fmt writes the shortest decimal number that gives the same double again.
 std::string list(const Vector3& v) { return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()); }
-std::string list(const Color& color) { return list(Vector3(color.matrix())); }
+std::string list(const LinearColor& color) { return list(Vector3(color.matrix())); }
 
 std::string shape_text(const Box& box) { return "box: " + list(box.size); }
 std::string shape_text(const Rectangle& sheet) {
@@ -26,7 +26,7 @@ std::string shape_text(const Cylinder& cylinder) {
 }
 std::string shape_text(const Sphere& sphere) { return fmt::format("sphere: {}", sphere.diameter); }
 
-/// The shortest spelling that gives the rotation to the last bit.
+/// Returns the shortest text that gives the rotation to the last bit.
 std::string rotation_text(const Matrix3& R) {
   if (R == Matrix3::Identity()) return "";
   const double yaw = std::atan2(R(1, 0), R(0, 0));
@@ -42,7 +42,7 @@ bool equal(const Texture& a, const Texture& b) {
          a.scale == b.scale && a.contrast == b.contrast && a.quarter_turn == b.quarter_turn;
 }
 
-/// The name of a built-in material that looks so; empty where there is none.
+/// Returns the name of the built-in material that equals the texture; empty if there is none.
 std::string name_of(const Texture& texture) {
   const auto& names = named_materials();
   const auto found = std::find_if(names.begin(), names.end(),

@@ -10,7 +10,7 @@
 #include <utf8.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/plot/base64.h"
+#include "cvo_slam/plot/image_data.h"
 
 namespace cvo_slam::html {
 namespace {

@@ -8,7 +8,7 @@
 #include "cvo_slam/apps/page/html.h"
 #include "cvo_slam/apps/page/run_sections.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/plot/plot_file.h"
+#include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/frontend/simd.h"
-#include "cvo_slam/plot/plot_file.h"
+#include "cvo_slam/plot/figure.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
@@ -40,7 +40,7 @@ TEST(StepFigure, IsAsEver) {
   const StepCurve curve(cloud, cloud, motion(0.05, 0, 0, 0, 0, 0.05), {}, {}, 0.15);
   const auto golden = std::filesystem::path(CVO_SLAM_SOURCE_DIR) / "tests/apps/golden/step.svg";
   const auto ours = std::filesystem::path(testing::TempDir()) / "step.svg";
-  write_svg(ours, step_figure(curve));
+  write_file(ours, to_svg(step_figure(curve)));
   EXPECT_EQ(read_text(ours), read_text(golden))
       << "if the new picture is meant: cp " << ours << " " << golden;
   pin_simd(SimdPath::kBest);

@@ -57,7 +57,7 @@ TEST(Views, KnowTheCommentsOfScripts) {
 
 TEST(Rooms, AFileBelongsToItsFolder) {
   EXPECT_EQ(room_of("io/dataset.h")->name, "io");
-  EXPECT_EQ(room_of("render/scene.h")->name, "render");
+  EXPECT_EQ(room_of("render/map_scene.h")->name, "render");
   EXPECT_EQ(room_of("iodine/dataset.h"), nullptr);
   EXPECT_EQ(room_of("main.cc"), nullptr);
 }
@@ -74,7 +74,7 @@ TEST(Rules, IncludesFollowTheTable) {
   expect_bites(includes_follow_the_table, "core/a.h",
                {"#include \"cvo_slam/io/dataset.h\"", "#include \"cvo_slam/attic/a.h\""});
   expect_bites(includes_follow_the_table, "frontend/a.h", {"#include \"cvo_slam/io/dataset.h\""});
-  expect_bites(includes_follow_the_table, "io/a.h", {"#include \"cvo_slam/render/scene.h\""});
+  expect_bites(includes_follow_the_table, "io/a.h", {"#include \"cvo_slam/render/map_scene.h\""});
   expect_bites(includes_follow_the_table, "slam/a.h", {"#include \"cvo_slam/io/dataset.h\""});
   expect_bites(includes_follow_the_table, "apps/a.cc", {"#include \"cvo_slam/tests/a.h\""});
   expect_passes(includes_follow_the_table, "core/a.cc", {"#include \"cvo_slam/core/se3.h\""});

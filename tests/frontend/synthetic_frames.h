@@ -8,7 +8,7 @@
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/se3.h"
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam {

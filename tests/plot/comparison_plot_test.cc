@@ -7,7 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/plot/plot_file.h"
+#include "cvo_slam/core/files.h"
+#include "cvo_slam/plot/figure.h"
 #include "cvo_slam/tests/core/trajectory_samples.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
@@ -31,7 +32,7 @@ TEST(ComparisonFigure, IsAsEver) {
   const auto golden =
       std::filesystem::path(CVO_SLAM_SOURCE_DIR) / "tests/plot/golden/comparison.svg";
   const auto ours = std::filesystem::path(testing::TempDir()) / "comparison.svg";
-  write_svg(ours, comparison_figure(line(5), two_estimates()));
+  write_file(ours, to_svg(comparison_figure(line(5), two_estimates())));
   EXPECT_EQ(read_text(ours), read_text(golden))
       << "if the new picture is meant: cp " << ours << " " << golden;
 }

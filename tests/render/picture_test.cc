@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What pictures of unusual scenes look like: never a crash, never an empty image without a word.
+// Pictures of unusual scenes: never a crash, and never an empty image without a message.
 #include "cvo_slam/render/picture.h"
 
 #include <cmath>
@@ -28,12 +28,12 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 SE3 pose_at(double x, double y, double z) { return {Matrix3::Identity(), {x, y, z}}; }
 
-Picture draw(const Scene& scene, ViewKind kind = ViewKind::kIso) {
+Picture draw(const MapScene& scene, ViewKind kind = ViewKind::kIso) {
   const auto renderer = make_renderer(RendererKind::kSplat);
   return draw_picture(scene, {.kind = kind, .width = 320, .height = 240}, *renderer);
 }
 
-/// Pixels that are neither the background nor close to it.
+/// Returns the number of pixels that differ clearly from the background.
 std::size_t ink(const cv::Mat& image) {
   return pixels_where(image, [](const cv::Vec3b& bgr) { return bgr[0] < 150; }).size();
 }
@@ -48,31 +48,31 @@ TEST(Picture, AnEmptySceneSaysSo) {
 }
 
 TEST(Picture, OnePoseIsAPicture) {
-  Scene scene;
+  MapScene scene;
   scene.keyframes = {pose_at(3, 4, 5)};
   add_path_by_time(scene, "trajectory", {{Timestamp(), pose_at(3, 4, 5)}});
   for (const auto& [name, kind] : view_names())
     EXPECT_GT(ink(draw(scene, kind).image), 30U) << name;
 }
 
-// A camera that turns on the spot, as in fr1/rpy: its keyframes hid the path.
+// When a camera turned on the spot, as in fr1/rpy, its keyframes hid the path.
 TEST(Picture, AKeyframeThatLooksAsAnotherOneIsNotDrawnOverIt) {
-  Scene scene;
+  MapScene scene;
   scene.keyframes = {pose_at(0, 0, 0), pose_at(1, 0.5, 0.5), pose_at(3, 1, 1)};
-  // Between them, so that the picture has the same frame.
+  // The new keyframes are inside the extent of the others, so that the framing stays the same.
   const cv::Mat three = draw(scene).image;
   scene.keyframes.push_back(pose_at(0.01, 0.01, 0.01));
   const cv::Mat covered = draw(scene).image;
   scene.keyframes.back() = pose_at(0.01, 0.01, 0.01) * SE3(so3_exp({0, 1, 0}), Vector3::Zero());
-  // A digit of the legend differs first; then ten lines of ten pixels, by half of 3 x 255 and more.
+  // At first only a digit of the legend differs; then ten lines of ten pixels, by half of 3 x 255.
   constexpr double kFewPixels = 5'000;
   EXPECT_LT(cv::norm(three, covered, cv::NORM_L1), kFewPixels);
   EXPECT_GT(cv::norm(covered, draw(scene).image, cv::NORM_L1), kFewPixels);
 }
 
 TEST(Picture, PosesAndPointsThatAreNotFiniteAreLeftOutWithANote) {
-  const Scene good = floor_scene();
-  Scene scene = good;
+  const MapScene good = floor_scene();
+  MapScene scene = good;
   scene.points.push_back(map_point({kNaN, 0, 0}, {0, 0, 0}));
   scene.paths[0].poses.push_back({Timestamp::from_seconds(1), pose_at(0, kNaN, 0)});
   scene.paths[0].values.push_back(kNaN);
@@ -85,7 +85,7 @@ TEST(Picture, PosesAndPointsThatAreNotFiniteAreLeftOutWithANote) {
 }
 
 TEST(Picture, OnlyPosesThatAreNotFiniteSaySo) {
-  Scene scene;
+  MapScene scene;
   add_path_by_time(scene, "trajectory", {{Timestamp(), pose_at(kNaN, kNaN, kNaN)}});
   const Picture picture = draw(scene);
   EXPECT_GT(ink(picture.image), 100U);
@@ -93,8 +93,8 @@ TEST(Picture, OnlyPosesThatAreNotFiniteSaySo) {
 }
 
 TEST(Picture, FarFromTheOriginIsDrawnAndBeyondReasonIsLeftOut) {
-  // As in the coordinates of a national grid: thousands of kilometres.
-  Scene scene;
+  // Coordinates of a national grid: thousands of kilometres.
+  MapScene scene;
   for (int i = 0; i < 10; ++i) scene.keyframes.push_back(pose_at(5e6 + i, 4e5, 100));
   EXPECT_GT(ink(draw(scene).image), 200U);
   scene.points.push_back(map_point({1e30, 0, 0}, {0, 0, 0}));
@@ -104,7 +104,7 @@ TEST(Picture, FarFromTheOriginIsDrawnAndBeyondReasonIsLeftOut) {
 }
 
 TEST(Picture, StrayPointsDoNotShrinkTheMap) {
-  Scene scene = floor_scene();
+  MapScene scene = floor_scene();
   const std::size_t before = ink(draw(scene).image);
   for (int i = 0; i < 20; ++i) scene.points.push_back(map_point({500, 5.0 * i, 3}, {0, 0, 0}));
   EXPECT_NEAR(static_cast<double>(ink(draw(scene).image)), static_cast<double>(before),
@@ -112,11 +112,12 @@ TEST(Picture, StrayPointsDoNotShrinkTheMap) {
 }
 
 TEST(Picture, UpIsWhereTheFloorSaysNearWhereTheCamerasSay) {
-  Scene scene;
+  MapScene scene;
   const Vector3 up = Vector3(0.1, -1, 0.2).normalized();
   const Vector3 along = up.cross(Vector3::UnitX()).normalized();
   add_wall(scene, {0, 1, 0}, along, up.cross(along), 0.5, {1, 2, 3}, up);
-  // Held at 0.3 rad, about x: the floor's normal is 29 degrees from what they take for up.
+  // Cameras tilted by 0.3 rad about x: the floor's normal is 29 degrees from their mean up
+  // direction.
   const std::vector<SE3> cameras(3, SE3(so3_exp({0.3, 0, 0}), {0, 0, 0}));
   EXPECT_LT((estimate_up(cameras, scene.points) - up).norm(), 1e-3);
   EXPECT_EQ(estimate_up({}, {}), Vector3(-Vector3::UnitY()));
@@ -137,7 +138,7 @@ TEST(MotionJpeg, IsAnAviFileOfJpegPictures) {
   const std::string bytes = read_text(file);
   EXPECT_THAT(bytes, testing::StartsWith("RIFF"));
   EXPECT_EQ(bytes.substr(8, 8), "AVI LIST");
-  // Of RIFF the length of all that follows, the lowest byte first.
+  // The RIFF header holds the length of all that follows, the lowest byte first.
   std::uint32_t length = 0;
   for (int i = 3; i >= 0; --i) {
     length = (length << 8U) | static_cast<unsigned char>(bytes[4 + static_cast<std::size_t>(i)]);

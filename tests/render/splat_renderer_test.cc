@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/render/splat_renderer_internal.h"
+#include "cvo_slam/render/renderers_internal.h"
 #include "cvo_slam/tests/render/test_scenes.h"
 
 namespace cvo_slam::render {
@@ -46,7 +46,7 @@ Primitives random_primitives() {
   return primitives;
 }
 
-/// The nearest splat at each pixel, found in the slow way: all of them are tried.
+// The expected splat of each pixel is found by trying all of them.
 TEST(SplatRenderer, DrawsTheNearestSplatOfEachPixel) {
   const auto splats = random_primitives().splats;
   const Raster raster = SplatRenderer().draw({splats, {}}, {96, 64}, kPaper);
@@ -100,8 +100,8 @@ std::uint64_t hash_of(const cv::Mat& image) {
   return hash;
 }
 
-/// The same on every machine. Where drawing is changed on purpose, the new figure is in the
-/// failure.
+// The pixels are the same on every machine. If drawing is changed on purpose, the message of the
+// failure has the new values.
 TEST(SplatRenderer, GoldenPicture) {
   const Raster raster = SplatRenderer().draw(random_primitives(), {96, 64}, kPaper);
   EXPECT_EQ(hash_of(raster.color), 9960269797441616321ULL);

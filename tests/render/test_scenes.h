@@ -16,7 +16,7 @@ inline MapPoint map_point(const Vector3& place, const std::array<std::uint8_t, 3
 }
 
 /// A square of points at `center`, 2 cm apart, spanned by two unit vectors.
-inline void add_wall(Scene& scene, const Vector3& center, const Vector3& along,
+inline void add_wall(MapScene& scene, const Vector3& center, const Vector3& along,
                      const Vector3& aside, double half_size, const std::array<std::uint8_t, 3>& rgb,
                      const Vector3& normal = Vector3::Zero()) {
   constexpr double kSpacing = 0.02;
@@ -29,13 +29,13 @@ inline void add_wall(Scene& scene, const Vector3& center, const Vector3& along,
 }
 
 /// A world with z up: a grey floor of 2 m and a path of ten poses 1 m above it.
-inline Scene floor_scene() {
-  Scene scene;
+inline MapScene floor_scene() {
+  MapScene scene;
   scene.up = Vector3::UnitZ();
   add_wall(scene, {0, 0, 0}, Vector3::UnitX(), Vector3::UnitY(), 1, {120, 120, 120},
            Vector3::UnitZ());
   std::vector<StampedPose> poses;
-  // The camera looks along the world's y: its right is x, its down is -z.
+  // The camera looks along y of the world: x is to its right, -z is down.
   const Matrix3 ahead{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
   for (int i = 0; i < 10; ++i) {
     poses.push_back({Timestamp::from_seconds(0.1 * i), SE3(ahead, {0.1 * i - 0.5, 0, 1})});
@@ -45,7 +45,7 @@ inline Scene floor_scene() {
   return scene;
 }
 
-/// The pixels of an image that a predicate of blue, green and red holds for.
+/// Returns the pixels of an image for which a predicate of blue, green and red is true.
 template <typename Predicate>
 std::vector<cv::Point> pixels_where(const cv::Mat& image, const Predicate& predicate) {
   std::vector<cv::Point> pixels;
@@ -60,17 +60,20 @@ std::vector<cv::Point> pixels_where(const cv::Mat& image, const Predicate& predi
 
 inline bool is_red(const cv::Vec3b& bgr) { return bgr[2] > 120 && bgr[0] < 60 && bgr[1] < 60; }
 
-/// Those that this machine can draw with.
-inline std::vector<std::unique_ptr<Renderer>> all_renderers() {
-  std::vector<std::unique_ptr<Renderer>> renderers;
-  renderers.push_back(make_renderer(RendererKind::kSplat));
-  renderers.push_back(make_renderer(RendererKind::kOsmesa));
-  try {
-    renderers.push_back(make_renderer(RendererKind::kEgl));
-  } catch (const Error&) {
-    // Not every machine's EGL can do without a surface; OSMesa is in apt-packages.txt.
-  }
-  return renderers;
+/// Returns all renderers that work on this machine. They are made once for all tests.
+inline const std::vector<std::unique_ptr<Renderer>>& all_renderers() {
+  static const auto all = [] {
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    renderers.push_back(make_renderer(RendererKind::kSplat));
+    renderers.push_back(make_renderer(RendererKind::kOsmesa));
+    try {
+      renderers.push_back(make_renderer(RendererKind::kEgl));
+    } catch (const Error&) {
+      // EGL may be missing or need a surface on this machine; OSMesa is in apt-packages.txt.
+    }
+    return renderers;
+  }();
+  return all;
 }
 
 }  // namespace cvo_slam::render

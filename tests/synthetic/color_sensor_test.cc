@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/synthetic/color_sensor_internal.h"
+#include "cvo_slam/synthetic/image_sensors_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {

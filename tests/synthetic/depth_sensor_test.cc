@@ -8,42 +8,43 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/synthetic/depth_sensor_internal.h"
-#include "cvo_slam/synthetic/noise_field_internal.h"
+#include "cvo_slam/core/units.h"
+#include "cvo_slam/synthetic/image_sensors_internal.h"
+#include "cvo_slam/synthetic/random_internal.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/tests/synthetic/plane_scene.h"
 
 namespace cvo_slam::synthetic {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 const Camera kCamera = synthetic_camera(160, 120);
 
-Picture picture_of(const Scene& scene) {
-  const View view(scene, kCamera.color, {});
-  return draw(kCamera.color, [&view](int) -> const View& { return view; },
-              {.color = false, .depth = true, .geometry = true, .reflectance = true});
+IdealImages ideal_images(const WorldScene& scene) {
+  const RayCaster rays(scene, kCamera.color, {});
+  return cast_image(kCamera.color, [&rays](int) -> const RayCaster& { return rays; },
+                    {.color = false, .depth = true, .geometry = true, .reflectance = true});
 }
 
 /// Metres, 0 = no depth.
-cv::Mat measured(const Picture& picture, const DepthNoiseOptions& options, std::uint32_t seed = 1) {
+cv::Mat measured(const IdealImages& ideal, const DepthNoiseOptions& options,
+                 std::uint32_t seed = 1) {
   cv::Mat metres;
-  DepthSensor(kCamera, options).measure(picture, seed).convertTo(metres, CV_64F, 1.0 / 5000);
+  DepthSensor(kCamera, options).measure(ideal, seed).convertTo(metres, CV_64F, 1.0 / 5000);
   return metres;
 }
 
 /// Root mean square of the measured errors in units of the formula's standard deviation.
-double relative_noise(const Scene& scene, const DepthNoiseOptions& options) {
-  const Picture picture = picture_of(scene);
+double relative_noise(const WorldScene& scene, const DepthNoiseOptions& options) {
+  const IdealImages ideal = ideal_images(scene);
   double squares = 0;
   int count = 0;
   for (std::uint32_t seed = 1; seed <= 4; ++seed) {
-    const cv::Mat depth = measured(picture, options, seed);
+    const cv::Mat depth = measured(ideal, options, seed);
     for (int y = 0; y < depth.rows; ++y) {
       for (int x = 0; x < depth.cols; ++x) {
-        const double truth = picture.depth.at<double>(y, x);
+        const double truth = ideal.depth.at<double>(y, x);
         if (truth == 0 || depth.at<double>(y, x) == 0) continue;
-        const double sigma = kinect_axial_noise(truth, picture.angle.at<float>(y, x));
+        const double sigma = kinect_axial_noise(truth, ideal.angle.at<float>(y, x));
         squares += std::pow((depth.at<double>(y, x) - truth) / sigma, 2);
         ++count;
       }
@@ -52,8 +53,8 @@ double relative_noise(const Scene& scene, const DepthNoiseOptions& options) {
   return std::sqrt(squares / count);
 }
 
-double share_missing(const Picture& picture, const DepthNoiseOptions& options) {
-  const cv::Mat depth = measured(picture, options);
+double share_missing(const IdealImages& ideal, const DepthNoiseOptions& options) {
+  const cv::Mat depth = measured(ideal, options);
   return 1 - static_cast<double>(cv::countNonZero(depth)) / static_cast<double>(depth.total());
 }
 
@@ -62,15 +63,15 @@ TEST(KinectNoise, IsThatOfThePaper) {
   // a / (pi/2 - a) is 2.
   EXPECT_NEAR(kinect_axial_noise(0.4, 0), 0.0012, 1e-12);
   EXPECT_NEAR(kinect_axial_noise(3.4, 0), 0.0012 + 0.0019 * 9, 1e-12);
-  EXPECT_NEAR(kinect_axial_noise(1, 60 * kDegree), 0.0012 + 0.0019 * 0.36 + 0.0004, 1e-12);
-  EXPECT_NEAR(kinect_lateral_noise(60 * kDegree), 0.87, 1e-12);
+  EXPECT_NEAR(kinect_axial_noise(1, 60 / kDegrees), 0.0012 + 0.0019 * 0.36 + 0.0004, 1e-12);
+  EXPECT_NEAR(kinect_lateral_noise(60 / kDegrees), 0.87, 1e-12);
 }
 
 TEST(DepthSensor, AnIdealOneOnlyRounds) {
-  const Picture picture = picture_of(plane_at(2, 0.4));
-  const cv::Mat depth = measured(picture, {});
+  const IdealImages ideal = ideal_images(plane_at(2, 0.4));
+  const cv::Mat depth = measured(ideal, {});
   double largest = 0;
-  cv::minMaxLoc(cv::abs(depth - picture.depth), nullptr, &largest);
+  cv::minMaxLoc(cv::abs(depth - ideal.depth), nullptr, &largest);
   EXPECT_LE(largest, 0.5 / 5000 + 1e-9);
 }
 
@@ -86,10 +87,10 @@ TEST(DepthSensor, AxialNoiseFollowsTheFormulaWithDepth) {
 }
 
 TEST(DepthSensor, AxialNoiseFollowsTheFormulaWithTheAngle) {
-  const Scene scene = plane_at(2, 70 * kDegree);
+  const WorldScene scene = plane_at(2, 70 / kDegrees);
   EXPECT_NEAR(relative_noise(scene, {.axial = 1, .correlation = 1}), 1, 0.1);
   // The term of the angle matters there: with it the noise is half as large again.
-  EXPECT_GT(kinect_axial_noise(1, 75 * kDegree), 1.5 * kinect_axial_noise(1, 0));
+  EXPECT_GT(kinect_axial_noise(1, 75 / kDegrees), 1.5 * kinect_axial_noise(1, 0));
 }
 
 TEST(DepthSensor, NoiseOfNeighborsIsCorrelatedAsAsked) {
@@ -111,7 +112,7 @@ TEST(DepthSensor, NoiseOfNeighborsIsCorrelatedAsAsked) {
 }
 
 TEST(DepthSensor, DisparityComesInSteps) {
-  const Picture picture = picture_of(plane_at(2, 0.4));
+  const IdealImages ideal = ideal_images(plane_at(2, 0.4));
   // Distance of a disparity from the nearest multiple of 1/8 px, in steps.
   const auto offset = [](double depth) {
     const double steps = 580 * 0.075 / depth / 0.125;
@@ -119,8 +120,8 @@ TEST(DepthSensor, DisparityComesInSteps) {
   };
   double with_steps = 0;
   double without = 0;
-  const cv::Mat stepped = measured(picture, {.disparity_step = 0.125});
-  const cv::Mat continuous = measured(picture, {});
+  const cv::Mat stepped = measured(ideal, {.disparity_step = 0.125});
+  const cv::Mat continuous = measured(ideal, {});
   for (int i = 0; i < 160 * 120; ++i) {
     with_steps = std::max(with_steps, offset(stepped.ptr<double>()[i]));
     without = std::max(without, offset(continuous.ptr<double>()[i]));
@@ -130,30 +131,30 @@ TEST(DepthSensor, DisparityComesInSteps) {
   EXPECT_GT(without, 0.45);
   EXPECT_NEAR(kinect_depth_step(2, 0.125), 0.0115, 1e-4);
   double largest = 0;
-  cv::minMaxLoc(cv::abs(stepped - picture.depth), nullptr, &largest);
+  cv::minMaxLoc(cv::abs(stepped - ideal.depth), nullptr, &largest);
   EXPECT_LT(largest, kinect_depth_step(3.4, 0.125));  // half a step at the farthest, 3.4 m, is less
 }
 
 /// A box whose front is a metre away, as wide as half the image, before a sheet at two metres.
-Scene box_before_wall() {
-  Scene scene = plane_at(2, 0);
+WorldScene box_before_wall() {
+  WorldScene scene = plane_at(2, 0);
   scene.primitives.push_back(
       {Box{{0.61, 10, 0.2}}, SE3(Matrix3::Identity(), {0, 0, 1.1}), plain(0.5)});
   return scene;
 }
 
 TEST(DepthSensor, LateralNoiseMovesEdgesByTheFormulasPixels) {
-  const Picture picture = picture_of(box_before_wall());
+  const IdealImages ideal = ideal_images(box_before_wall());
   // Columns of the first pixels of the box and of the wall behind its right side.
   int first = 0;
-  while (picture.depth.at<double>(60, first) > 1.5) ++first;
+  while (ideal.depth.at<double>(60, first) > 1.5) ++first;
   int last = first;
-  while (picture.depth.at<double>(60, last) < 1.5) ++last;
+  while (ideal.depth.at<double>(60, last) < 1.5) ++last;
   std::array<double, 3>
       wrong{};  // share of pixels 1, 2, 3 px off the edge that show what is beyond
   constexpr int kFrames = 16;
   for (std::uint32_t seed = 1; seed <= kFrames; ++seed) {
-    const cv::Mat depth = measured(picture, {.lateral = 1}, seed);
+    const cv::Mat depth = measured(ideal, {.lateral = 1}, seed);
     for (int y = 0; y < depth.rows; ++y) {
       for (int k = 0; k < 3; ++k) {
         const double share = 0.5 / (kFrames * depth.rows);
@@ -169,7 +170,7 @@ TEST(DepthSensor, LateralNoiseMovesEdgesByTheFormulasPixels) {
   EXPECT_NEAR(wrong[1], tail(1.5 / 0.8), 0.015);
   EXPECT_NEAR(wrong[2], tail(2.5 / 0.8), 0.005);
   // Within a surface nothing changes.
-  EXPECT_NEAR(measured(picture, {.lateral = 1}).at<double>(60, 80), 1, 1e-4);
+  EXPECT_NEAR(measured(ideal, {.lateral = 1}).at<double>(60, 80), 1, 1e-4);
 }
 
 TEST(DepthSensor, TheProjectorsShadowIsToTheLeftOfWhatIsNear) {
@@ -180,52 +181,52 @@ TEST(DepthSensor, TheProjectorsShadowIsToTheLeftOfWhatIsNear) {
   for (int x = 0; x < 100; ++x) {
     EXPECT_EQ(hidden[static_cast<std::size_t>(x)], x >= 35 && x < 40) << x;
   }
-  const Picture picture = picture_of(box_before_wall());
+  const IdealImages ideal = ideal_images(box_before_wall());
   // fx is 131 px: 131 * 0.075 / 2 = 4.9 of 160 columns, give or take one.
-  EXPECT_NEAR(share_missing(picture, {.shadows = true}), 4.9 / 160, 1.0 / 160);
-  EXPECT_EQ(share_missing(picture, {}), 0);
+  EXPECT_NEAR(share_missing(ideal, {.shadows = true}), 4.9 / 160, 1.0 / 160);
+  EXPECT_EQ(share_missing(ideal, {}), 0);
 }
 
 TEST(DepthSensor, AContinuousSurfaceCastsNoShadow) {
   for (const double angle : {-1.2, -0.5, 0.5, 1.0}) {
-    const Picture picture = picture_of(plane_at(2, angle));
-    const double nothing = share_missing(picture, {});
-    EXPECT_EQ(share_missing(picture, {.shadows = true}), nothing) << angle;
+    const IdealImages ideal = ideal_images(plane_at(2, angle));
+    const double nothing = share_missing(ideal, {});
+    EXPECT_EQ(share_missing(ideal, {.shadows = true}), nothing) << angle;
   }
 }
 
 TEST(DepthSensor, IsBlindOutsideItsRange) {
-  const Picture picture = picture_of(plane_at(2, 0.5));
-  const cv::Mat depth = measured(picture, {.min_range = 1.7, .max_range = 2.2});
+  const IdealImages ideal = ideal_images(plane_at(2, 0.5));
+  const cv::Mat depth = measured(ideal, {.min_range = 1.7, .max_range = 2.2});
   for (int i = 0; i < 160 * 120; ++i) {
-    const double truth = picture.depth.ptr<double>()[i];
+    const double truth = ideal.depth.ptr<double>()[i];
     if (std::abs(truth - 1.7) < 1e-3 || std::abs(truth - 2.2) < 1e-3) continue;
     ASSERT_EQ(depth.ptr<double>()[i] > 0, truth > 1.7 && truth < 2.2) << truth;
   }
 }
 
 TEST(DepthSensor, IsBlindAtGrazingAngles) {
-  const Picture picture = picture_of(plane_at(2, 70 * kDegree));
-  const cv::Mat depth = measured(picture, {.max_incidence = 1.2});
-  cv::Mat expected = picture.angle <= 1.2;
-  expected.setTo(0, picture.depth == 0);
-  expected.setTo(0, picture.depth > 13);  // beyond 16 bits
+  const IdealImages ideal = ideal_images(plane_at(2, 70 / kDegrees));
+  const cv::Mat depth = measured(ideal, {.max_incidence = 1.2});
+  cv::Mat expected = ideal.angle <= 1.2;
+  expected.setTo(0, ideal.depth == 0);
+  expected.setTo(0, ideal.depth > 13);  // beyond 16 bits
   EXPECT_EQ(cv::countNonZero((depth > 0) != expected), 0);
   EXPECT_GT(cv::countNonZero(expected), 1000);
   EXPECT_LT(cv::countNonZero(expected), 15000);
 }
 
 TEST(DepthSensor, IsBlindOnDarkSurfacesWhereAsked) {
-  EXPECT_EQ(share_missing(picture_of(plane_at(2, 0, 0.05)), {.min_reflectance = 0.1}), 1);
-  EXPECT_EQ(share_missing(picture_of(plane_at(2, 0, 0.2)), {.min_reflectance = 0.1}), 0);
-  EXPECT_EQ(share_missing(picture_of(plane_at(2, 0, 0.05)), {}), 0);
+  EXPECT_EQ(share_missing(ideal_images(plane_at(2, 0, 0.05)), {.min_reflectance = 0.1}), 1);
+  EXPECT_EQ(share_missing(ideal_images(plane_at(2, 0, 0.2)), {.min_reflectance = 0.1}), 0);
+  EXPECT_EQ(share_missing(ideal_images(plane_at(2, 0, 0.05)), {}), 0);
 }
 
 TEST(DepthSensor, LeavesTheShareOfPixelsInPatchesWithoutDepth) {
-  const Picture picture = picture_of(plane_at(2, 0));
-  EXPECT_NEAR(share_missing(picture, {.missing = 0.3}), 0.3, 1e-3);
+  const IdealImages ideal = ideal_images(plane_at(2, 0));
+  EXPECT_NEAR(share_missing(ideal, {.missing = 0.3}), 0.3, 1e-3);
   // In patches: nearly all pixels are like their neighbour.
-  const cv::Mat gaps = measured(picture, {.missing = 0.3}) == 0;
+  const cv::Mat gaps = measured(ideal, {.missing = 0.3}) == 0;
   const cv::Mat changes = gaps.colRange(1, gaps.cols) != gaps.colRange(0, gaps.cols - 1);
   EXPECT_LT(cv::countNonZero(changes), 0.05 * static_cast<double>(gaps.total()));
 }

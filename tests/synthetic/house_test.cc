@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"
 
@@ -19,7 +19,7 @@ constexpr double kStep = 0.02;  // [s]
 TEST(House, TheLoopIsLongAndItsStartIsSeenAgain) {
   const World house = make_world("house");
   EXPECT_NEAR(house.path.duration(), 60, 6);
-  // The early pose that the last seconds come nearest to, and the way between the two.
+  // The early pose that is nearest to the end, and the length of the path between the two.
   const double end = house.path.duration() - 2;
   const SE3 last = house.path.T_world_camera(end);
   double nearest = 1e9;
@@ -52,7 +52,7 @@ TEST(House, OneWalksAtAWalkersPace) {
   }
 }
 
-TEST(House, TheCorridorsLookAlikeButAreNotTheSame) {
+TEST(House, TheCorridorsAreAmbiguousButNotTheSame) {
   const World house = make_world("house");
   const PinholeCamera camera = synthetic_camera(96, 72).color;
   const auto grey_from = [&](const Vector3& position, const Vector3& target) {
@@ -65,7 +65,7 @@ TEST(House, TheCorridorsLookAlikeButAreNotTheSame) {
   const cv::Mat south = grey_from({2, -3.2, 1.45}, {-2, -3.2, 1.2});
   cv::Mat correlation;
   cv::matchTemplate(north, south, correlation, cv::TM_CCOEFF_NORMED);
-  // What differs is the grain of walls and wood, and the room at the corridor's end.
+  // They differ in the grain of walls and wood, in prints, and in the room at the end.
   EXPECT_GT(correlation.at<float>(0, 0), 0.9F);
   EXPECT_GT(cv::norm(north, south, cv::NORM_INF), 10);
 }

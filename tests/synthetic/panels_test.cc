@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/ray_caster_internal.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"
 #include "cvo_slam/tests/synthetic/reprojection.h"
@@ -39,7 +40,7 @@ TEST(Panels, PaintWithoutTextureKeepsTwoGreyLevels) {
       World smooth = world;
       for (auto& primitive : smooth.scene.primitives) primitive.texture.contrast = 0;
       for (const double t : {1.0, 6.0, 11.0}) {
-        // What the paint adds to the light's own shades.
+        // The contrast of the paint without the shades of the light.
         const cv::Mat residual = grey_at(world, t) - grey_at(smooth, t);
         const std::vector<double> levels(residual.begin<float>(), residual.end<float>());
         const double contrast = quantile(levels, 0.99) - quantile(levels, 0.01);
@@ -61,14 +62,14 @@ TEST(Panels, TexturesAreStrong) {
   }
 }
 
-/// Distance of the image's points from the plane through them that fits best [m].
+/// Returns the RMS distance of the image's points from their best-fitting plane [m].
 double unevenness(const World& world, double seconds) {
-  const Rendering rendering = render(world.scene, kCamera, world.path.T_world_camera(seconds));
+  const RayCaster rays(world.scene, kCamera, world.path.T_world_camera(seconds));
   Eigen::MatrixX3d points(kCamera.width * kCamera.height, 3);
   for (int y = 0; y < kCamera.height; ++y) {
     for (int x = 0; x < kCamera.width; ++x) {
       points.row(y * kCamera.width + x) =
-          rendering.depth.at<double>(y, x) * kCamera.unproject({x, y}).transpose();
+          rays.look(x, y).depth * kCamera.unproject({x, y}).transpose();
     }
   }
   points.rowwise() -= points.colwise().mean();
@@ -92,8 +93,8 @@ TEST(Panels, NearIsOneMetreAndFarTwo) {
       const World world = make_world(name_of(structure, true, near));
       std::vector<double> depths;
       for (const double t : {0.0, 4.0, 9.0}) {
-        const Rendering rendering = render(world.scene, kCamera, world.path.T_world_camera(t));
-        depths.push_back(rendering.depth.at<double>(60, 80));
+        const RayCaster rays(world.scene, kCamera, world.path.T_world_camera(t));
+        depths.push_back(rays.look(80, 60).depth);
       }
       EXPECT_NEAR(quantile(depths, 0.5), near ? 1.0 : 2.0, 0.3) << name_of(structure, true, near);
     }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 
 namespace cvo_slam::synthetic {
 
@@ -19,7 +19,7 @@ struct Reprojection {
   std::vector<double> color_errors;  // grey levels
 };
 
-/// Points of frame a moved to frame b and compared with what b shows there.
+/// Moves the points of frame a to frame b and compares them with what b shows there.
 inline Reprojection reproject(const Rendering& a, const Rendering& b, const SE3& T_b_a,
                               const PinholeCamera& camera) {
   Reprojection result;
@@ -32,7 +32,7 @@ inline Reprojection reproject(const Rendering& a, const Rendering& b, const SE3&
       const int v = static_cast<int>(std::lround(pixel.y()));
       if (u < 1 || v < 1 || u >= camera.width - 1 || v >= camera.height - 1) continue;
       ++result.compared;
-      // The point lies between four pixels' depths where no rim runs through them.
+      // The depth is between those of the neighbouring pixels, unless there is a rim.
       double low = b.depth.at<double>(v, u);
       double high = low;
       for (int dv = -1; dv <= 1; ++dv) {
@@ -60,7 +60,7 @@ inline double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(position)];
 }
 
-/// The median difference of a pixel from its neighbour to the right [grey levels].
+/// Returns the median difference between a pixel and its neighbour to the right [grey levels].
 inline double neighbor_difference(const Rendering& frame) {
   std::vector<double> differences;
   for (int y = 0; y < frame.color.rows; ++y) {

@@ -15,7 +15,7 @@ constexpr std::array<Pattern, 12> kAllPatterns = {
     Pattern::kStripes, Pattern::kPlaid, Pattern::kCarpet,    Pattern::kText,
     Pattern::kPoster,  Pattern::kSpine, Pattern::kLandscape, Pattern::kCollage};
 
-/// A collage of posters this small would be a few pixels a poster; it gets its natural size.
+/// Returns the scale of a pattern. Posters of a collage at a scale of 0.1 would have few pixels.
 double scale_of(Pattern pattern) { return pattern == Pattern::kCollage ? 0.45 : 0.1; }
 
 Texture texture_of(Pattern pattern) {
@@ -45,8 +45,8 @@ double filter_error(const Texture& texture, double footprint) {
   return std::sqrt(sum / kPoints);
 }
 
-// What a texture shows of itself through a pixel must be close to its true average there: that is
-// what keeps images of a moving camera consistent. Pixels of a 640x480 image are 2 to 6 mm wide on
+// The filtered texture must be close to its true average over the pixel: this keeps images of a
+// moving camera consistent. Pixels of a 640x480 image are 2 to 6 mm wide on
 // the walls of a room, and more at grazing angles. A point-sampled checker would be off by up to
 // 0.25, half the contrast of these textures; what is left are rims that cross a pixel aslant.
 TEST(Texture, IsFilteredByThePixelsFootprint) {
@@ -61,7 +61,7 @@ TEST(Texture, IsFilteredByThePixelsFootprint) {
 TEST(Texture, StaysInRangeAndFiniteEvenAtTheHorizon) {
   for (const Pattern pattern : kAllPatterns) {
     for (const double footprint : {1e-6, 1e-2, 1e3, 1e9}) {
-      const Color color = sample(texture_of(pattern), at(-3.3, 7.1, footprint));
+      const LinearColor color = sample(texture_of(pattern), at(-3.3, 7.1, footprint));
       EXPECT_TRUE((color >= 0).all() && (color <= 1).all()) << static_cast<int>(pattern);
     }
   }
@@ -83,7 +83,7 @@ TEST(Texture, DependsOnItsSeed) {
 
 TEST(Texture, AQuarterTurnSwapsItsAxes) {
   Texture wood = texture_of(Pattern::kWood);
-  const Color straight = sample(wood, {0.3, 0.2, 1, 2, 1e-3, 2e-3});
+  const LinearColor straight = sample(wood, {0.3, 0.2, 1, 2, 1e-3, 2e-3});
   wood.quarter_turn = true;
   EXPECT_TRUE((straight == sample(wood, {0.2, 0.3, 2, 1, 2e-3, 1e-3})).all());
 }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
-#include "cvo_slam/core/error.h"
-#include "cvo_slam/frontend/simd.h"
 #include "cvo_slam/synthetic/random_internal.h"
 #include "cvo_slam/synthetic/value_noise_internal.h"
 
@@ -31,12 +32,7 @@ double one_octave(std::uint32_t seed, double u, double v) {
          1;
 }
 
-class ValueNoise : public testing::Test {
- protected:
-  ~ValueNoise() override { pin_simd(SimdPath::kBest); }
-};
-
-TEST_F(ValueNoise, IsTheWeightedSumOfItsOctaves) {
+TEST(ValueNoise, IsTheWeightedSumOfItsOctaves) {
   for (int i = -50; i < 50; ++i) {
     const double u = 0.0371 * i;
     const double v = 0.9 - 0.0173 * i;
@@ -52,26 +48,35 @@ TEST_F(ValueNoise, IsTheWeightedSumOfItsOctaves) {
   }
 }
 
-TEST_F(ValueNoise, LeavesOutWhatAPixelCannotShow) {
+TEST(ValueNoise, LeavesOutWhatAPixelCannotShow) {
   EXPECT_EQ(value_noise(9, 0.4, 0.3, 0.26, kOctaves), 0);  // wider than the largest octave
   EXPECT_NE(value_noise(9, 0.4, 0.3, 0.2, kOctaves), 0);
 }
 
-TEST_F(ValueNoise, EveryInstructionSetGivesTheSameBits) {
-  for (const auto& [name, path] : simd_path_names()) {
+TEST(ValueNoise, EveryInstructionSetGivesTheSameBits) {
+  const auto functions = octaves_functions();
+  ASSERT_FALSE(functions.empty());
+  std::array<double, kMaxOctaves> best{};
+  std::array<double, kMaxOctaves> other{};
+  for (std::size_t k = 1; k < functions.size(); ++k) {
     for (int i = 0; i < 100; ++i) {
       const double u = 1.3 * std::sin(i);
       const double v = -0.01 * i;
-      pin_simd(SimdPath::kBest);
-      const double best = value_noise(3, u, v, kFine, kOctaves);
-      try {
-        pin_simd(path);
-      } catch (const OptionError&) {
-        break;  // not on this CPU
-      }
-      EXPECT_EQ(value_noise(3, u, v, kFine, kOctaves), best) << name;
+      functions[0](3, u, v, best);
+      functions[k](3, u, v, other);
+      EXPECT_EQ(other, best) << "version " << k;
     }
   }
+}
+
+// The tracker's option `simd` changes Highway's choice for the whole process. The noise used to
+// follow it, so that the speed of the simulator depended on an option of the tracker.
+TEST(ValueNoise, DoesNotFollowHighwaysProcessWideChoice) {
+  const auto functions = octaves_functions();
+  hwy::DisableTargets(~(HWY_EMU128 | HWY_SCALAR));
+  const auto restricted = octaves_functions();
+  hwy::DisableTargets(0);
+  EXPECT_EQ(restricted, functions);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/synthetic/world_file.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 namespace {
@@ -101,9 +101,9 @@ TEST(WorldFileError, WhatIsMissingIsNamed) {
   EXPECT_EQ(error_with("    material: oak\n", ""),
             "w.yaml:5: shape: the key 'material' is missing");
   EXPECT_EQ(error_with("    at: [0, 3, 0.5]\n", ""),
-            "w.yaml:5: shape: say where it is: 'at' (its centre) or 'on' (its foot)");
+            "w.yaml:5: shape: give its position: 'at' (its centre) or 'on' (its foot)");
   EXPECT_EQ(error_with("box: [1, 2, 0.4]\n    at", "at"),
-            "w.yaml:5: shape: say what it is: box, sheet, cylinder or sphere, with its size");
+            "w.yaml:5: shape: give its kind and size: box, sheet, cylinder or sphere");
   EXPECT_THAT(error_with("path:", "paths:"), HasSubstr("unknown key 'paths'"));
   EXPECT_THAT(error_with("[0, 1, 0]", "[0, 0, 0]"), HasSubstr("must not be zero"));
 }
@@ -119,7 +119,7 @@ TEST(WorldFileError, AmbiguousOrDistortedShapesAreRefused) {
 
 TEST(WorldFileError, TooFewViewpointsAreCounted) {
   EXPECT_EQ(error_with("    - {position: [0.2, 0.2, 1], target: [0, 3, 1]}\n", ""),
-            "w.yaml:15: camera path: 3 viewpoints are too few; a spline needs at least 4");
+            "w.yaml:15: camera path: 3 viewpoints are too few; give at least 4");
   EXPECT_THAT(error_with("target: [0, 3, 1]", "target: [0, 0, 3]"),
               HasSubstr("viewpoint 1 must not look straight up or down"));
 }

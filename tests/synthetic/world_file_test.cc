@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/synthetic/world_file.h"
-
 #include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/synthetic/renderer.h"
+#include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/synthetic/world.h"
 
 namespace cvo_slam::synthetic {
 namespace {
