@@ -146,9 +146,10 @@ TEST(DepthSensor, LateralNoiseMovesEdgesByTheFormulasPixels) {
   const Picture picture = picture_of(box_before_wall());
   // Columns of the first pixels of the box and of the wall behind its right side.
   int first = 0;
-  while (picture.depth.at<double>(60, first) > 1.5) ++first;
+  while (first < picture.depth.cols && picture.depth.at<double>(60, first) > 1.5) ++first;
   int last = first;
-  while (picture.depth.at<double>(60, last) < 1.5) ++last;
+  while (last < picture.depth.cols && picture.depth.at<double>(60, last) < 1.5) ++last;
+  ASSERT_LT(last, picture.depth.cols);
   std::array<double, 3>
       wrong{};  // share of pixels 1, 2, 3 px off the edge that show what is beyond
   constexpr int kFrames = 16;
