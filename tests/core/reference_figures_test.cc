@@ -97,10 +97,11 @@ TEST(ReferenceFigures, EveryLineIsReproduced) {
     std::istringstream words(text);
     std::string measure;
     words >> measure;
+    if (measure == "#") continue;
     ++lines[measure];
     if (measure == "ate") check_ate(words);
     if (measure == "rpe") check_rpe(words);
-    if (measure != "#") EXPECT_FALSE(words.fail()) << "too few values";
+    EXPECT_FALSE(words.fail()) << "too few values";
   }
   EXPECT_EQ(lines["ate"], 5 * 3);          // associations and alignments
   EXPECT_EQ(lines["rpe"], 2 * 4 * 2 * 2);  // associations, deltas, choices of pairs, kinds
