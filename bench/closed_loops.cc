@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the loops of a whole run are worth: of those that are left in the final graph, how many are
-// right; of the times that the camera came back to a place, how many were noticed; and the error of
-// the path. A row of the table of docs/loops.md for each sequence.
+// Measures the loops of whole runs: how many of the loops in the final graph are right, how many of
+// the returns to a place were noticed, and the error of the trajectory. Prints a row of the table
+// of docs/results/place-recognition.md for each sequence.
 //   closed_loops [--verbose] sequence...
 #include <algorithm>
 #include <cstdio>
@@ -16,23 +16,24 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cvo_slam/bench/seen_share.h"
+#include "cvo_slam/bench/visible_overlap.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/trajectory_errors.h"
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam.h"
 
 namespace cvo_slam {
 namespace {
 
-/// A keyframe and where it truly is.
+/// A keyframe with its true pose.
 struct KnownKeyframe {
   RgbdFrame frame;
   SE3 T_world_camera;
 };
 
-/// Whether a measurement is right, as the issue defines it.
+/// Returns true if a measurement is right: within 5 cm and 3 degrees of the truth.
 bool is_correct(const SE3& T_true, const SE3& T_measured) {
   constexpr double kTranslation = 0.05;  // [m]
   constexpr double kRotation = 3 * std::numbers::pi / 180;
@@ -45,14 +46,15 @@ struct Row {
   std::size_t lost = 0;
   std::size_t candidates = 0;
   std::size_t loops = 0;  // in the final graph
-  std::size_t wrong = 0;  // of them
+  std::size_t wrong = 0;  // loops of the final graph that are wrong
   std::size_t revisits = 0;
   std::size_t revisits_found = 0;
   std::size_t events = 0;
   std::size_t events_found = 0;
-  double ate = 0;
+  double ate = 0;  // [m]
 };
 
+/// Compares the loops of a run with the true poses of its keyframes.
 class Judge {
  public:
   Judge(const Dataset& data, const Slam& slam, const SlamOptions& options, bool verbose)
@@ -109,18 +111,18 @@ class Judge {
     }
   }
 
-  /// Keyframes that see at least half of what one outside the temporal exclusion has seen; those
-  /// that follow one another are one event.
+  /// Counts the keyframes that share at least half of their view with an earlier one outside the
+  /// temporal exclusion. Such keyframes in a row are one event.
   void judge_revisits(Row& row) const {
-    constexpr double kShare = 0.5;
+    constexpr double kOverlap = 0.5;
     constexpr std::size_t kSameEvent = 3;
     std::optional<std::size_t> last;
     bool event_found = false;
     for (std::size_t j = gap() + 1; j < keyframes_.size(); ++j) {
       bool revisits = false;
       for (std::size_t i = 0; i + gap() < j && !revisits; ++i) {
-        revisits = mutual_share(keyframes_[i].frame, keyframes_[j].frame, true_motion(i, j),
-                                data_.camera()) >= kShare;
+        revisits = mutual_overlap(keyframes_[i].frame, keyframes_[j].frame, true_motion(i, j),
+                                  data_.camera()) >= kOverlap;
       }
       if (!revisits) continue;
       if (!last || j > *last + kSameEvent) {
@@ -145,7 +147,7 @@ class Judge {
   std::map<std::size_t, bool> noticed_;
 };
 
-void judge(const std::string& sequence, bool verbose) {
+void print_row(const std::string& sequence, bool verbose) {
   const auto data = open_dataset(sequence);
   SlamOptions options;
   options.loops.enabled = true;
@@ -166,18 +168,14 @@ void judge(const std::string& sequence, bool verbose) {
 int main(int argc, char** argv) {
   std::vector<std::string> sequences;
   bool verbose = false;
-  CLI::App app("Precision and recall of a run's loops");
+  CLI::App app("Measures precision and recall of the loops of whole runs");
   app.add_option("sequences", sequences)->required();
-  app.add_flag("--verbose", verbose, "A line for each loop");
+  app.add_flag("--verbose", verbose, "Prints a line for each loop");
   CLI11_PARSE(app, argc, argv);
   fmt::print(
       "| sequence | frames | lost | keyframes | candidates | loops in the graph | revisiting "
       "keyframes joined | revisits noticed | ATE |\n|---|---|---|---|---|---|---|---|---|\n");
-  try {
-    for (const std::string& sequence : sequences) cvo_slam::judge(sequence, verbose);
-  } catch (const cvo_slam::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  }
-  return 0;
+  return cvo_slam::report_errors([&] {
+    for (const std::string& sequence : sequences) cvo_slam::print_row(sequence, verbose);
+  });
 }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// false_loops [graph.g2o | folder of a run  groundtruth.txt]: what false loops do to a graph under
-// each loss, as the tables of docs/backend.md. Without arguments the graph is the one of the tests,
-// whose true poses are known; a file's is compared with its optimum without false loops, a run's
-// (ATE of its keyframes) with the ground truth.
+// Measures what false loops do to a pose graph under each loss. Prints the tables of
+// docs/results/pose-graphs.md.
+//   false_loops                          a generated graph, compared with its true poses
+//   false_loops graph.g2o                a file, compared with its optimum without false loops
+//   false_loops folder groundtruth.txt   a run: the ATE of its keyframes
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -16,6 +17,8 @@
 
 #include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/bench/graph_samples.h"
+#include "cvo_slam/bench/report_errors.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/g2o.h"
@@ -26,7 +29,7 @@ namespace {
 
 constexpr unsigned kSeed = 1;
 
-/// Without a robust loss false loops leave no minimum worth waiting for.
+/// Most iterations of a solve. Without a robust loss, false loops leave no minimum worth more.
 constexpr int kMostIterations = 20;
 
 struct Case {
@@ -40,7 +43,7 @@ Case compared_with(PoseGraph graph, std::vector<SE3> reference) {
           }};
 }
 
-Case made_up() {
+Case generated() {
   SampleGraph sample = make_rounds(100, kSeed);
   return compared_with(std::move(sample.graph), std::move(sample.truth));
 }
@@ -52,7 +55,7 @@ Case published(const std::filesystem::path& file) {
   return compared_with(std::move(graph), poses_of(optimum));
 }
 
-/// The nodes of a run's graph are the lines of its keyframes.txt, in this order.
+/// The graph of a run. Its nodes are the lines of keyframes.txt, in the same order.
 Case of_run(const std::filesystem::path& folder, const std::filesystem::path& ground_truth) {
   const auto error = [keyframes = read_tum(folder / "keyframes.txt"),
                       truth = read_tum(ground_truth)](const PoseGraph& graph) {
@@ -66,37 +69,39 @@ Case of_run(const std::filesystem::path& folder, const std::filesystem::path& gr
 }
 
 Case make_case(const std::vector<std::string>& arguments) {
-  if (arguments.empty()) return made_up();
+  if (arguments.empty()) return generated();
   return arguments.size() == 1 ? published(arguments[0]) : of_run(arguments[0], arguments[1]);
 }
 
-void print_row(const Case& of, double share, const char* name, RobustLoss loss) {
-  PoseGraph graph = of.graph;
+void print_row(const Case& given, double share, const char* name, RobustLoss loss) {
+  PoseGraph graph = given.graph;
   add_false_loops(graph, share, kSeed);
   const Summary summary = optimize(graph, {.loss = loss, .max_iterations = kMostIterations});
-  const std::size_t genuine = of.graph.edges().size();
+  const std::size_t genuine = given.graph.edges().size();
   std::size_t lost = 0;
   for (std::size_t i = 0; i < genuine; ++i) lost += summary.weights[i] < 0.5 ? 1 : 0;
   fmt::print("| {:.0f} % ({}) | {} | {:.4f} | {} of {} | {} | {} | {:.2f} |\n", 100 * share,
-             graph.edges().size() - genuine, name, of.error(graph), summary.rejected_edges() - lost,
-             graph.edges().size() - genuine, lost, summary.iterations, summary.seconds);
+             graph.edges().size() - genuine, name, given.error(graph),
+             summary.rejected_edges() - lost, graph.edges().size() - genuine, lost,
+             summary.iterations, summary.seconds);
   std::fflush(stdout);
 }
 
-int main(int argc, char** argv) {
-  const Case of = make_case({argv + 1, argv + argc});
+void run(const std::vector<std::string>& arguments) {
+  const Case given = make_case(arguments);
   fmt::print("| false loops | loss | error [m] | found | genuine rejected | iterations | s |\n");
   fmt::print("|---|---|---|---|---|---|---|\n");
   for (const double share : {0.0, 0.1, 0.2, 0.4}) {
-    print_row(of, share, "none", RobustLoss::kNone);
-    print_row(of, share, "huber", RobustLoss::kHuber);
-    print_row(of, share, "cauchy", RobustLoss::kCauchy);
-    print_row(of, share, "gnc", RobustLoss::kGnc);
+    print_row(given, share, "none", RobustLoss::kNone);
+    print_row(given, share, "huber", RobustLoss::kHuber);
+    print_row(given, share, "cauchy", RobustLoss::kCauchy);
+    print_row(given, share, "gnc", RobustLoss::kGnc);
   }
-  return 0;
 }
 
 }  // namespace
 }  // namespace cvo_slam
 
-int main(int argc, char** argv) { return cvo_slam::main(argc, argv); }
+int main(int argc, char** argv) {
+  return cvo_slam::report_errors([&] { cvo_slam::run({argv + 1, argv + argc}); });
+}

@@ -12,7 +12,8 @@
 
 namespace cvo_slam {
 
-/// Normally distributed in each coordinate.
+/// Returns a tangent vector with normally distributed coordinates of the given standard deviations
+/// [m] and [rad].
 inline Vector6 random_tangent(std::mt19937& rng, double translation, double rotation) {
   std::normal_distribution<double> normal;
   Vector6 xi;
@@ -20,15 +21,16 @@ inline Vector6 random_tangent(std::mt19937& rng, double translation, double rota
   return xi;
 }
 
-/// A graph whose true poses are known.
+/// A graph with its true poses.
 struct SampleGraph {
   PoseGraph graph;  ///< at poses chained from the odometry, which has drifted
   std::vector<SE3> truth;
 };
 
-/// Three rounds of a circle with `per_round` nodes each, looking along the path, on a slope.
-/// Odometry from each node to the next; loops, flagged robust, to the same place of the round
-/// before. Noise is normal, of standard deviations 1 cm and 0.01 rad, and the information says so.
+/// Returns the graph of a camera that goes three times round a circle on a slope, with `per_round`
+/// nodes a round. Odometry leads from each node to the next, loops, flagged robust, to the same
+/// place of the round before. Noise is normal with standard deviations of 1 cm and 0.01 rad, and
+/// the information matrices are its inverse covariances.
 inline SampleGraph make_rounds(int per_round, unsigned seed) {
   constexpr double kSigma = 0.01;
   std::mt19937 rng(seed);
@@ -59,9 +61,8 @@ inline SampleGraph make_rounds(int per_round, unsigned seed) {
   return sample;
 }
 
-/// What a bag of words does where two places look alike: takes the measurement of one of the
-/// graph's loops for one between two nodes that have nothing to do with one another. Adds `share`
-/// times as many false loops as there are loops.
+/// Adds false loops as ambiguous places cause them: the measurement of one of the loops, between
+/// two random nodes. Adds `share` times as many of them as there are loops.
 inline void add_false_loops(PoseGraph& graph, double share, unsigned seed) {
   std::vector<PoseGraphEdge> loops;
   for (const PoseGraphEdge& edge : graph.edges()) {
@@ -80,7 +81,7 @@ inline void add_false_loops(PoseGraph& graph, double share, unsigned seed) {
   }
 }
 
-/// Root mean square distance of the positions from others [m].
+/// Returns the root mean square distance of the positions from reference positions [m].
 inline double position_rmse(const PoseGraph& graph, const std::vector<SE3>& reference) {
   double sum = 0;
   for (std::size_t i = 0; i < reference.size(); ++i) {

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How well the information matrices of registrations predict their errors: the normalised
+// Measures how well the information matrices of registrations predict their errors: the normalised
 // estimation error squared (NEES), e^T Omega e with e = log(T_true^-1 T_estimated), of each tracked
-// frame against its keyframe. For six degrees of freedom its mean should be 6, and 95 % should be
-// below 12.59. Y. Bar-Shalom et al., "Estimation with Applications to Tracking and Navigation",
-// 2001.
+// frame against its keyframe. With six degrees of freedom its mean should be 6, and 95 % of the
+// values should be below 12.59. Y. Bar-Shalom et al., "Estimation with Applications to Tracking and
+// Navigation", 2001.
+//   information_consistency sequence...
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr double kGate95 = 12.5916;  // chi squared, 6 degrees of freedom
 
-/// The pose at exactly this time.
+/// Returns the pose with exactly this stamp, if there is one.
 std::optional<SE3> pose_at(const std::vector<StampedPose>& reference, const Timestamp& stamp) {
   const auto it = std::lower_bound(
       reference.begin(), reference.end(), stamp,
@@ -31,7 +32,7 @@ std::optional<SE3> pose_at(const std::vector<StampedPose>& reference, const Time
   return it->T_world_camera;
 }
 
-/// The NEES of every frame that was registered against a keyframe.
+/// Returns the NEES of every frame that was registered against a keyframe.
 std::vector<double> nees_of(const Dataset& data) {
   Tracker tracker(data.camera());
   std::vector<double> values;
@@ -64,16 +65,12 @@ void print_row(const std::string& name, std::vector<double> values) {
 }  // namespace cvo_slam
 
 int main(int argc, char** argv) {
-  try {
+  return cvo_slam::report_errors([&] {
     fmt::print("| sequence | frames | mean NEES | median NEES | inside the 95 % gate [%] |\n");
     fmt::print("| --- | ---: | ---: | ---: | ---: |\n");
     for (int i = 1; i < argc; ++i) {
       const auto data = cvo_slam::open_dataset(argv[i]);
       cvo_slam::print_row(data->name(), cvo_slam::nees_of(*data));
     }
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  });
 }

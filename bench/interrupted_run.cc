@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a run is worth whose camera was blind for a while in the middle: the frames of two seconds
-// are white, black or blurred beyond recognition. The table of docs/loops.md.
+// Measures runs whose camera is blind for a while: the frames of two seconds are white, black or
+// blurred beyond recognition. Prints a table of docs/results/place-recognition.md.
 //   interrupted_run [--seconds 2] [--at 0.5] [--frames n] [--blind white,black,blurred] sequence...
 #include <algorithm>
 #include <memory>
@@ -16,6 +16,7 @@
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/trajectory_errors.h"
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam.h"
 
@@ -26,13 +27,13 @@ struct InterruptionArguments {
   std::vector<std::string> sequences;
   std::vector<std::string> blind = {"white", "black", "blurred"};
   double seconds = 2;
-  double at = 0.5;  // share of the sequence
+  double at = 0.5;  // where the camera goes blind, as a share of the sequence
   std::size_t frames = 1000000000;
 };
 
-/// The frames [begin, end) that show nothing.
+/// The frames [begin, end) in which the camera is blind.
 struct Interruption {
-  std::string kind;  // empty = there is none
+  std::string kind;  // empty if the camera is never blind
   std::size_t begin = 0;
   std::size_t end = 0;
 
@@ -53,8 +54,8 @@ void spoil(RgbdFrame& frame, const std::string& kind) {
 
 struct Outcome {
   std::size_t lost = 0;      // frames without a final pose
-  std::size_t in_blind = 0;  // of them, blind ones
-  double resumed = -1;       // when the first pose after the blind frames is [s], in the one world
+  std::size_t in_blind = 0;  // blind frames without a final pose
+  double resumed = -1;       // time from the last blind frame to the first pose after it [s]
   double ate = 0;            // [m]
 };
 
@@ -119,18 +120,15 @@ void run(const InterruptionArguments& arguments) {
 
 int main(int argc, char** argv) {
   cvo_slam::InterruptionArguments arguments;
-  CLI::App app("Blinds a camera for a while");
+  CLI::App app("Measures runs whose camera is blind for a while");
   app.add_option("sequences", arguments.sequences)->required();
-  app.add_option("--seconds", arguments.seconds)->capture_default_str();
-  app.add_option("--at", arguments.at, "Where it begins, as a share")->capture_default_str();
-  app.add_option("--frames", arguments.frames, "The first n of each sequence");
-  app.add_option("--blind", arguments.blind, "white, black, blurred")->delimiter(',');
+  app.add_option("--seconds", arguments.seconds, "Duration of the blindness [s]")
+      ->capture_default_str();
+  app.add_option("--at", arguments.at, "Where the blindness begins, as a share of the sequence")
+      ->capture_default_str();
+  app.add_option("--frames", arguments.frames, "Number of frames, from the first of each sequence");
+  app.add_option("--blind", arguments.blind, "Kinds of blindness: white, black, blurred")
+      ->delimiter(',');
   CLI11_PARSE(app, argc, argv);
-  try {
-    cvo_slam::run(arguments);
-  } catch (const cvo_slam::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  }
-  return 0;
+  return cvo_slam::report_errors([&] { cvo_slam::run(arguments); });
 }

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A camera walks through a synthetic world with a Kinect's noise, is carried to a place that it has
-// seen, then to one that it has not, and so on: how often, how fast and how rightly it is found.
-// The table of docs/loops.md.
+// Measures relocalisation. A camera with a Kinect's noise walks through a synthetic world, is
+// carried to a place that it has seen, then to one that it has not seen, and so on: how often and
+// how fast it is found, and whether at the right place. Prints a table of
+// docs/results/place-recognition.md.
 //   kidnapped_camera [--worlds house,office,room] [--seeds 3] [--trials 5] [--verbose]
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cvo_slam/core/error.h"
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/slam/slam.h"
 #include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sensor.h"
@@ -31,47 +32,47 @@
 namespace cvo_slam {
 namespace {
 
-constexpr double kRate = 30;               // [Hz]
-constexpr double kWalk = 3;                // of what the camera knows before [s]
-constexpr std::size_t kFramesToFind = 10;  // of the issue
-constexpr std::size_t kFramesUnseen = 20;  // time enough for a wrong sub-map to be joined
-constexpr double kTranslation = 0.05;      // [m]; a pose that is further off is wrong
+constexpr double kRate = 30;               // frames a second [Hz]
+constexpr double kWalk = 3;                // duration of the walk before the camera is carried [s]
+constexpr std::size_t kFramesToFind = 10;  // length of a stay at a seen place
+constexpr std::size_t kFramesUnseen = 20;  // time enough to join a wrong submap
+constexpr double kTranslation = 0.05;      // [m]; a pose with a larger error is wrong
 constexpr double kRotation = 3 * std::numbers::pi / 180;
 
 struct KidnapArguments {
   std::vector<std::string> worlds = {"house", "office", "room"};
-  int first_seed = 301;  // the vocabulary was trained on others
+  int first_seed = 301;  // the vocabulary was trained with other seeds
   int seeds = 3;
-  int trials = 5;  // of each kind
+  int trials = 5;  // number of stays of each kind
   double speed = 2;
   bool verbose = false;
 };
 
-/// Uniform in [0, 1).
+/// Returns a uniform random number in [0, 1).
 double draw(std::mt19937_64& random) { return static_cast<double>(random() >> 11U) * 0x1.0p-53; }
 
-/// What a camera sees of the surfaces around it, as points in the world.
-struct View {
+/// A depth image [m] and its pose.
+struct DepthView {
   SE3 T_world_camera;
   cv::Mat depth;  // CV_64FC1
 };
 
-/// A world as an ideal camera of few pixels sees it.
+/// Tells how much two poses in a world see of the same, by an ideal camera of few pixels.
 class Surroundings {
  public:
   explicit Surroundings(const synthetic::World& world) : world_(world) {}
 
-  [[nodiscard]] View view(const SE3& T_world_camera) const {
+  [[nodiscard]] DepthView view(const SE3& T_world_camera) const {
     return {T_world_camera, synthetic::render(world_.scene, camera_.color, T_world_camera).depth};
   }
 
-  /// The share of what one of the two sees that the other one sees as well; of both the lower.
-  [[nodiscard]] double overlap(const View& a, const View& b) const {
-    return std::min(seen_share(a, b), seen_share(b, a));
+  /// Returns the share of a's view that b sees or that of b's view that a sees, the smaller one.
+  [[nodiscard]] double overlap(const DepthView& a, const DepthView& b) const {
+    return std::min(visible_overlap(a, b), visible_overlap(b, a));
   }
 
  private:
-  [[nodiscard]] double seen_share(const View& a, const View& b) const {
+  [[nodiscard]] double visible_overlap(const DepthView& a, const DepthView& b) const {
     const SE3 T_a_b = a.T_world_camera.inverse() * b.T_world_camera;
     int seen = 0;
     for (int v = 0; v < b.depth.rows; ++v) {
@@ -92,16 +93,16 @@ class Surroundings {
   Camera camera_ = synthetic::synthetic_camera(64, 48);
 };
 
-/// A stay of the camera: along the world's path from a time on, beside it.
+/// A stay of the camera: it moves beside the path of the world, from some time on the path.
 struct Stay {
   std::size_t first_frame = 0;
   std::size_t frames = 0;
-  double begin = 0;  // on the path [s]
-  SE3 offset;
-  bool seen = false;
+  double begin = 0;   // time on the path [s]
+  SE3 offset;         // from the pose on the path
+  bool seen = false;  // true if the camera has seen the place before
 };
 
-/// A hand's breadth beside the path, and a few degrees off.
+/// Returns a random offset of up to 0.1 m and 0.1 rad along each axis.
 SE3 draw_offset(std::mt19937_64& random) {
   Vector6 tangent;
   for (int i = 0; i < 3; ++i) tangent[i] = 0.2 * (draw(random) - 0.5);
@@ -109,7 +110,7 @@ SE3 draw_offset(std::mt19937_64& random) {
   return SE3::exp(tangent);
 }
 
-/// The plan of a run: a walk, then stays by turns at seen and unseen places.
+/// The plan of a run: a walk, then stays at seen and unseen places by turns.
 class Plan {
  public:
   Plan(const synthetic::World& world, const Surroundings& surroundings, int trials,
@@ -154,12 +155,14 @@ class Plan {
     }
   }
 
-  /// Whether its beginning and its end are as much, or as little, seen as they shall be.
+  /// Returns true if the first and the last frame of a stay show what was seen before, or for an
+  /// unseen place nothing that was seen before.
   [[nodiscard]] bool fits(const Stay& stay, double length) const {
     for (const double t : {0.0, length}) {
-      const View view = surroundings_.view(pose(stay.begin + t) * stay.offset);
+      const DepthView view = surroundings_.view(pose(stay.begin + t) * stay.offset);
       double most = 0;
-      for (const View& known : known_) most = std::max(most, surroundings_.overlap(known, view));
+      for (const DepthView& known : known_)
+        most = std::max(most, surroundings_.overlap(known, view));
       constexpr double kSeen = 0.5;
       constexpr double kUnseen = 0.02;
       if (stay.seen ? most < kSeen : most > kUnseen) return false;
@@ -171,16 +174,16 @@ class Plan {
   const Surroundings& surroundings_;
   std::mt19937_64 random_;
   std::vector<Stay> stays_;
-  std::vector<View> known_;
+  std::vector<DepthView> known_;
 };
 
-/// What became of the stays at places that were seen, or of those at others.
+/// Outcome of some stays.
 struct Tally {
   int trials = 0;
-  int found = 0;             // rightly
-  int wrong = 0;             // at least one frame with a wrong pose in the map of the walk
-  std::vector<int> frames;   // until it was found
-  double largest_error = 0;  // of the rightly found [m]
+  int found = 0;             // stays with a right pose
+  int wrong = 0;             // stays with a wrong pose in the map of the walk
+  std::vector<int> frames;   // number of frames until the camera was found, for each stay
+  double largest_error = 0;  // largest error of a right pose [m]
 
   void operator+=(const Tally& other) {
     trials += other.trials;
@@ -223,7 +226,7 @@ class Kidnapping {
  private:
   static synthetic::SensorOptions sensor_options() {
     synthetic::SensorOptions options = synthetic::sensor_preset("kinect");
-    options.exposure.time = 0;  // blur would take most of the time
+    options.exposure.time = 0;  // motion blur would take most of the time to render
     return options;
   }
 
@@ -282,7 +285,8 @@ class Kidnapping {
     return plan_.T_world_camera(static_cast<double>(frame) / kRate);
   }
 
-  /// As seen from the nearest keyframe of the walk: the map's own drift is another matter.
+  /// Returns the error of a pose relative to the nearest keyframe of the walk, which leaves out the
+  /// drift of the map.
   [[nodiscard]] SE3 error_in_map(const FrameRecord& record) const {
     SE3 nearest;
     double shortest = std::numeric_limits<double>::infinity();
@@ -299,7 +303,7 @@ class Kidnapping {
 
   void print(const FrameRecord& record) const {
     const SE3 error = error_in_map(record);
-    fmt::print("  {} segment {} {} error {:.3f} m {:.3f} rad, to {} overlap {:.2f} cos {:.2f} {}\n",
+    fmt::print("  {} submap {} {} error {:.3f} m {:.3f} rad, to {} overlap {:.2f} cos {:.2f} {}\n",
                record.index, record.submap,
                record.status == TrackingStatus::kLost ? "lost" : "tracked",
                error.translation().norm(), error.angle(), record.keyframe,
@@ -354,19 +358,17 @@ void run(const KidnapArguments& arguments) {
 
 int main(int argc, char** argv) {
   cvo_slam::KidnapArguments arguments;
-  CLI::App app("Kidnaps a camera");
-  app.add_option("--worlds", arguments.worlds)->delimiter(',');
-  app.add_option("--seeds", arguments.seeds, "Seeds of each world")->capture_default_str();
-  app.add_option("--first-seed", arguments.first_seed)->capture_default_str();
-  app.add_option("--trials", arguments.trials, "Of each kind in a run")->capture_default_str();
-  app.add_option("--speed", arguments.speed, "Of the walk")->capture_default_str();
-  app.add_flag("--verbose", arguments.verbose, "A line for each trial and candidate");
+  CLI::App app("Measures relocalisation: kidnaps a camera");
+  app.add_option("--worlds", arguments.worlds, "Names of worlds, or world files")->delimiter(',');
+  app.add_option("--seeds", arguments.seeds, "Number of seeds of each world")
+      ->capture_default_str();
+  app.add_option("--first-seed", arguments.first_seed, "Smallest seed")->capture_default_str();
+  app.add_option("--trials", arguments.trials, "Number of stays of each kind in a run")
+      ->capture_default_str();
+  app.add_option("--speed", arguments.speed, "Factor of the speed of the walk")
+      ->capture_default_str();
+  app.add_flag("--verbose", arguments.verbose,
+               "Prints a line for each stay, frame and loop candidate");
   CLI11_PARSE(app, argc, argv);
-  try {
-    cvo_slam::run(arguments);
-  } catch (const cvo_slam::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  }
-  return 0;
+  return cvo_slam::report_errors([&] { cvo_slam::run(arguments); });
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The costs of place recognition, with comparing descriptors one by one as the yardstick.
+// Measures what place recognition costs, beside the cost of comparing descriptors one by one.
 #include <map>
 #include <memory>
 #include <random>
@@ -32,8 +32,8 @@ std::vector<Descriptor> random_descriptors(std::size_t count) {
   return descriptors;
 }
 
-/// A bag of `words` words. The density of those drawn falls with their index, the most frequent
-/// ones being in about a tenth of all bags, as those of real images are.
+/// Returns a bag of `words` random words. Words with small indices are more frequent: the most
+/// frequent ones are in about a tenth of all bags, as in real images.
 BagOfWords random_bag(std::size_t vocabulary, std::size_t words, std::mt19937& engine) {
   std::map<WordId, float> counts;
   for (std::size_t i = 0; i < words; ++i) {
@@ -47,7 +47,7 @@ BagOfWords random_bag(std::size_t vocabulary, std::size_t words, std::mt19937& e
   return bag;
 }
 
-/// A frame of the house, `seconds` after the start, by a Kinect.
+/// Returns a frame of the house as a Kinect sees it, `seconds` after the start.
 RgbdFrame house_frame(double seconds) {
   const auto world = synthetic::make_world("house", {.seed = 1});
   const synthetic::Sensor sensor(
@@ -74,7 +74,7 @@ void transform_1000_descriptors(benchmark::State& state) {
 }
 BENCHMARK(transform_1000_descriptors)->Unit(benchmark::kMillisecond);
 
-/// The yardstick: each descriptor against every word.
+/// For comparison: each descriptor against every word.
 void find_1000_words_one_by_one(benchmark::State& state) {
   std::vector<Descriptor> words;
   for (const auto& node : builtin_vocabulary()->tree()) {
@@ -101,7 +101,7 @@ void query_10000_keyframes(benchmark::State& state) {
 }
 BENCHMARK(query_10000_keyframes)->Unit(benchmark::kMillisecond);
 
-/// The yardstick: the features of one image against those of one other.
+/// For comparison: the features of one image against those of another one.
 void match_1000_with_1000_one_by_one(benchmark::State& state) {
   const auto a = random_descriptors(kFeatures);
   const auto b = random_descriptors(2 * kFeatures);

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How well places are recognised before any graph helps: precision and recall of the loop
-// detector's candidates and of its verified loops, on a sequence whose poses are known. The tables
-// of docs/loops.md.
+// Measures place recognition without a pose graph: precision and recall of the loop detector's
+// candidates and of its verified loops, on a sequence with known poses. Prints the figures of
+// docs/results/place-recognition.md.
 //   loop_quality <sequence> [--step 15] [--first a] [--last b] [--vocabulary file] [--all-pairs]
-//   [--register]
-//                [--set key=value]... [--pictures folder] [--verbose]
+//                [--register] [--set key=value]... [--pictures folder] [--verbose]
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -22,9 +21,10 @@
 
 #include "cvo_slam/apps/match_picture.h"
 #include "cvo_slam/apps/settings.h"
-#include "cvo_slam/bench/seen_share.h"
+#include "cvo_slam/bench/visible_overlap.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/frontend/registration.h"
@@ -48,22 +48,22 @@ struct QualityArguments {
   bool verbose = false;
 };
 
-/// A keyframe and where it truly is.
-struct KnownView {
+/// A keyframe with its true pose.
+struct KnownKeyframe {
   RgbdFrame frame;
   SE3 T_world_camera;
   std::shared_ptr<const Appearance> appearance;
 };
 
-/// A pair of keyframes and what the detector made of it.
-struct Judged {
+/// A pair of keyframes and the detector's verdict.
+struct JudgedPair {
   std::size_t older = 0;
   std::size_t newer = 0;
   double overlap = 0;
-  double translation = 0;  // errors [m, rad]
-  double rotation = 0;
+  double translation = 0;  // error [m]
+  double rotation = 0;     // error [rad]
   LoopMatch match;
-  RegistrationResult refined;  // where asked for
+  RegistrationResult refined;  // with --register
 
   [[nodiscard]] bool is_correct() const {
     constexpr double kTranslation = 0.05;  // [m]
@@ -72,7 +72,7 @@ struct Judged {
   }
 };
 
-/// A run of the detector over a sequence.
+/// Runs the detector over a sequence and compares its answers with the truth.
 class Quality {
  public:
   explicit Quality(const QualityArguments& arguments)
@@ -85,7 +85,7 @@ class Quality {
   }
 
   void run() {
-    read_views();
+    read_keyframes();
     find_revisits();
     if (arguments_.all_pairs) {
       verify_all_pairs();
@@ -105,24 +105,25 @@ class Quality {
     return options;
   }
 
-  void read_views() {
+  void read_keyframes() {
     const std::size_t end = std::min(data_->size(), arguments_.last + 1);
     constexpr double kMaxGap = 0.1;  // [s]
     for (std::size_t i = arguments_.first; i < end; i += arguments_.step) {
       const auto pose = interpolate_at(data_->reference(), data_->stamp(i), kMaxGap);
       if (!pose) continue;
-      KnownView view{data_->read(i), *pose, nullptr};
-      view.appearance = detector_->extract(view.frame);
-      features_ += view.appearance->features.size();
-      for (const auto& point : view.appearance->features.points) with_depth_ += point.has_depth();
-      views_.push_back(std::move(view));
+      KnownKeyframe keyframe{data_->read(i), *pose, nullptr};
+      keyframe.appearance = detector_->extract(keyframe.frame);
+      features_ += keyframe.appearance->features.size();
+      for (const auto& point : keyframe.appearance->features.points)
+        with_depth_ += point.has_depth();
+      keyframes_.push_back(std::move(keyframe));
     }
   }
 
-  /// The pairs outside the temporal exclusion that see at least half of the same.
+  /// Finds the pairs outside the temporal exclusion that share at least half of their views.
   void find_revisits() {
     const auto gap = static_cast<std::size_t>(options_.candidates.min_gap);
-    for (std::size_t j = gap; j < views_.size(); ++j) {
+    for (std::size_t j = gap; j < keyframes_.size(); ++j) {
       for (std::size_t i = 0; i + gap < j; ++i) {
         if (overlap_of(i, j) >= 0.5) revisits_[j].push_back(i);
       }
@@ -130,12 +131,12 @@ class Quality {
   }
 
   [[nodiscard]] double overlap_of(std::size_t i, std::size_t j) const {
-    const SE3 T_i_j = views_[i].T_world_camera.inverse() * views_[j].T_world_camera;
-    return mutual_share(views_[i].frame, views_[j].frame, T_i_j, data_->camera());
+    const SE3 T_i_j = keyframes_[i].T_world_camera.inverse() * keyframes_[j].T_world_camera;
+    return mutual_overlap(keyframes_[i].frame, keyframes_[j].frame, T_i_j, data_->camera());
   }
 
-  [[nodiscard]] Judged judge(std::size_t older, std::size_t newer, LoopMatch match) const {
-    const SE3 truth = views_[older].T_world_camera.inverse() * views_[newer].T_world_camera;
+  [[nodiscard]] JudgedPair judge(std::size_t older, std::size_t newer, LoopMatch match) const {
+    const SE3 truth = keyframes_[older].T_world_camera.inverse() * keyframes_[newer].T_world_camera;
     SE3 T_older_newer = match.verification.T_a_b;
     RegistrationResult refined;
     if (arguments_.registration && match.verification.accepted) {
@@ -153,35 +154,36 @@ class Quality {
             std::move(refined)};
   }
 
-  /// What CVO makes of a loop, with as many points as the tracker takes.
+  /// Registers a loop by CVO with as many points as the tracker takes.
   [[nodiscard]] RegistrationResult register_pair(std::size_t older, std::size_t newer,
                                                  const SE3& T_older_newer) const {
     constexpr int kFixed = 6000;
     constexpr int kMoving = 1500;
-    return align(select_points(views_[older].frame, data_->camera(), kFixed),
-                 select_points(views_[newer].frame, data_->camera(), kMoving), T_older_newer);
+    return align(select_points(keyframes_[older].frame, data_->camera(), kFixed),
+                 select_points(keyframes_[newer].frame, data_->camera(), kMoving), T_older_newer);
   }
 
   void detect() {
     std::map<std::size_t, std::size_t> index_of;  // by id
-    for (std::size_t j = 0; j < views_.size(); ++j) {
-      index_of[views_[j].appearance->id] = j;
-      for (LoopMatch& match : detector_->find_loops(*views_[j].appearance)) {
+    for (std::size_t j = 0; j < keyframes_.size(); ++j) {
+      index_of[keyframes_[j].appearance->id] = j;
+      for (LoopMatch& match : detector_->find_loops(*keyframes_[j].appearance)) {
         const std::size_t older = index_of[match.keyframe];
         judged_.push_back(judge(older, j, std::move(match)));
       }
-      detector_->add(views_[j].appearance);
+      detector_->add(keyframes_[j].appearance);
     }
   }
 
   void verify_all_pairs() {
     const LoopVerifier verifier(data_->camera().color, options_.verification);
     const auto gap = static_cast<std::size_t>(options_.candidates.min_gap);
-    for (std::size_t j = gap; j < views_.size(); ++j) {
+    for (std::size_t j = gap; j < keyframes_.size(); ++j) {
       for (std::size_t i = 0; i + gap < j; ++i) {
         LoopMatch match;
-        match.score = bag_score(views_[i].appearance->words.bag, views_[j].appearance->words.bag);
-        match.verification = verifier.verify(*views_[i].appearance, *views_[j].appearance);
+        match.score =
+            bag_score(keyframes_[i].appearance->words.bag, keyframes_[j].appearance->words.bag);
+        match.verification = verifier.verify(*keyframes_[i].appearance, *keyframes_[j].appearance);
         judged_.push_back(judge(i, j, std::move(match)));
       }
     }
@@ -193,7 +195,7 @@ class Quality {
     std::size_t correct = 0;
     std::map<std::size_t, bool> candidate_of;
     std::map<std::size_t, bool> found;
-    for (const Judged& judged : judged_) {
+    for (const JudgedPair& judged : judged_) {
       seeing += judged.overlap > 0.1 ? 1 : 0;
       if (judged.overlap > 0.1) candidate_of[judged.newer] = true;
       if (judged.match.verification.accepted) {
@@ -224,17 +226,17 @@ class Quality {
       }
       last = newer;
     }
-    const auto n = static_cast<double>(std::max<std::size_t>(1, views_.size()));
+    const auto n = static_cast<double>(std::max<std::size_t>(1, keyframes_.size()));
     fmt::print(
         "{}: {} keyframes, {:.0f} features ({:.0f} with depth); candidates {} of which {} see "
         "something of the same; verified {}, correct {}; revisiting keyframes {}: candidate {}, "
         "found {}; events {}, found {}\n",
-        data_->name(), views_.size(), static_cast<double>(features_) / n,
+        data_->name(), keyframes_.size(), static_cast<double>(features_) / n,
         static_cast<double>(with_depth_) / n, judged_.size(), seeing, accepted, correct,
         revisits_.size(), reached, closed, events, events_closed);
   }
 
-  static void print(const Judged& judged) {
+  static void print(const JudgedPair& judged) {
     const Verification& v = judged.match.verification;
     fmt::print(
         "{:4} {:4} overlap {:.2f} score {:.3f} {:.2f} consistent {} matches {} inliers {} visible "
@@ -248,11 +250,11 @@ class Quality {
                judged.refined.cos_theta);
   }
 
-  void draw(const Judged& judged) const {
+  void draw(const JudgedPair& judged) const {
     if (arguments_.pictures.empty()) return;
-    constexpr int kWidth = 1296;  // [px]: two images of a Kinect as they are
+    constexpr int kWidth = 1296;  // width of the picture [px]: two images of 640, not scaled
     const cv::Mat both =
-        draw_matches(views_[judged.older].frame.color, views_[judged.newer].frame.color,
+        draw_matches(keyframes_[judged.older].frame.color, keyframes_[judged.newer].frame.color,
                      judged.match.verification.pixels, kWidth);
     make_folder(arguments_.pictures);
     cv::imwrite(fmt::format("{}/{}_{}_{}.png", arguments_.pictures, data_->name(), judged.older,
@@ -264,9 +266,9 @@ class Quality {
   std::unique_ptr<Dataset> data_;
   LoopOptions options_;
   std::optional<LoopDetector> detector_;
-  std::vector<KnownView> views_;
-  std::map<std::size_t, std::vector<std::size_t>> revisits_;  // older ones of each newer
-  std::vector<Judged> judged_;
+  std::vector<KnownKeyframe> keyframes_;
+  std::map<std::size_t, std::vector<std::size_t>> revisits_;  // older keyframes by the newer one
+  std::vector<JudgedPair> judged_;
   std::size_t features_ = 0;
   std::size_t with_depth_ = 0;
 };
@@ -276,23 +278,18 @@ class Quality {
 
 int main(int argc, char** argv) {
   cvo_slam::QualityArguments arguments;
-  CLI::App app("Precision and recall of the loop detector");
+  CLI::App app("Measures precision and recall of the loop detector");
   app.add_option("sequence", arguments.sequence)->required();
-  app.add_option("--step", arguments.step, "A keyframe each so many frames");
-  app.add_option("--first", arguments.first, "Frame to begin with");
+  app.add_option("--step", arguments.step, "Number of frames from a keyframe to the next");
+  app.add_option("--first", arguments.first, "First frame");
   app.add_option("--last", arguments.last, "Last frame");
-  app.add_option("--vocabulary", arguments.vocabulary, "Another than the built-in one");
-  app.add_option("--set", arguments.settings, "key=value")->allow_extra_args(false);
-  app.add_option("--pictures", arguments.pictures, "Where to draw false loops");
-  app.add_flag("--all-pairs", arguments.all_pairs, "Verify every pair, whatever its words");
-  app.add_flag("--register", arguments.registration, "Refine verified loops by CVO");
-  app.add_flag("--verbose", arguments.verbose, "A line for each candidate");
+  app.add_option("--vocabulary", arguments.vocabulary,
+                 "Vocabulary file in place of the built-in vocabulary");
+  app.add_option("--set", arguments.settings, "Sets an option: key=value")->allow_extra_args(false);
+  app.add_option("--pictures", arguments.pictures, "Folder for pictures of the false loops");
+  app.add_flag("--all-pairs", arguments.all_pairs, "Verifies every pair, whatever its words");
+  app.add_flag("--register", arguments.registration, "Refines verified loops by CVO");
+  app.add_flag("--verbose", arguments.verbose, "Prints a line for each candidate");
   CLI11_PARSE(app, argc, argv);
-  try {
-    cvo_slam::Quality(arguments).run();
-  } catch (const cvo_slam::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  }
-  return 0;
+  return cvo_slam::report_errors([&] { cvo_slam::Quality(arguments).run(); });
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a picture of 1920x1080 of a map of a million points costs, and what making such a map does.
+// Measures what a picture of 1920x1080 pixels of a map of a million points costs, and what fusing
+// the points of a map costs.
 #include <benchmark/benchmark.h>
 
 #include "cvo_slam/core/map.h"
@@ -13,7 +14,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Frames of the synthetic room, half a second apart.
+/// Returns frames of the synthetic room, half a second apart.
 std::vector<PosedFrame> room_frames(const Camera& camera, int pixel_step) {
   constexpr int kFrames = 20;
   const synthetic::World world = synthetic::make_world("room");
@@ -39,7 +40,7 @@ void fuse_room(benchmark::State& state) {
 }
 BENCHMARK(fuse_room)->Unit(benchmark::kMillisecond);
 
-/// The room with voxels of 5 mm: about a million points.
+/// Returns the room with voxels of 5 mm: about a million points.
 render::MapScene large_scene() {
   const Camera camera = synthetic::synthetic_camera(640, 480);
   render::MapScene scene;

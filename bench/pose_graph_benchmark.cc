@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The back-end beside the usual way to write a pose graph in Ceres: automatic derivatives, position
-// and quaternion as blocks of their own, Ceres' manifold and default options.
+// Measures the back-end beside the usual way to write a pose graph in Ceres: automatic derivatives,
+// position and quaternion in separate blocks, Ceres' manifold and default options.
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -52,7 +52,7 @@ struct AutomaticPose {
   Eigen::Quaterniond q;
 };
 
-/// Optimises as the plain formulation does; answers the iterations.
+/// Optimises by the usual formulation. Returns the number of iterations.
 int optimize_automatically(PoseGraph& graph) {
   std::vector<AutomaticPose> poses;
   for (const PoseGraphNode& node : graph.nodes()) {
@@ -92,8 +92,8 @@ int optimize_automatically(PoseGraph& graph) {
 
 enum class Start { kFile, kChordal };
 
-/// The graph of a benchmark's arguments (index in kGraphs, Start); without nodes where the file is
-/// not on this machine.
+/// Returns the graph for a benchmark's arguments (index in kGraphs, Start), without nodes if the
+/// file is not on this machine.
 PoseGraph make_graph(benchmark::State& state) {
   const char* name = kGraphs[state.range(0)];
   const char* data = std::getenv("CVO_SLAM_DATA");
@@ -113,7 +113,7 @@ PoseGraph make_graph(benchmark::State& state) {
   return graph;
 }
 
-/// Times `solve`, which answers its iterations, on copies of the graph.
+/// Times `solve`, which returns its number of iterations, on copies of the graph.
 template <typename Solve>
 void time_solve(benchmark::State& state, const Solve& solve) {
   const PoseGraph start = make_graph(state);
@@ -134,7 +134,7 @@ void time_solve(benchmark::State& state, const Solve& solve) {
 
 void automatic_derivatives(benchmark::State& state) { time_solve(state, optimize_automatically); }
 
-/// From the file's start ours may take the chordal one, whose time counts.
+/// From the start of the file, `optimize` may take the chordal start, whose time counts.
 void ours(benchmark::State& state) {
   OptimizerOptions options;
   if (static_cast<Start>(state.range(1)) == Start::kChordal) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one frame costs, step by step, on two neighbouring frames of the synthetic room.
+// Measures what one frame costs, step by step, on two neighbouring frames of the synthetic room.
 #include <benchmark/benchmark.h>
 #include <opencv2/core.hpp>
 
@@ -33,7 +33,7 @@ RgbdFrame render_frame(const synthetic::World& world, double seconds) {
   return frame;
 }
 
-/// A frame, and the one after it.
+/// Two consecutive frames.
 struct FramePair {
   RgbdFrame fixed;
   RgbdFrame moving;
@@ -47,7 +47,7 @@ const FramePair& frames() {
   return pair;
 }
 
-/// The clouds that a tracker with these options would register.
+/// The clouds that a tracker with some options would register.
 struct Clouds {
   explicit Clouds(const TrackerOptions& options)
       : fixed(select_points(frames().fixed, camera(), options.keyframe_points, options.selection)),
@@ -59,7 +59,7 @@ struct Clouds {
 
 void select_points_of_a_frame(benchmark::State& state) {
   const int count = static_cast<int>(state.range(0));
-  const RgbdFrame& frame = frames().moving;  // made before the clock runs
+  const RgbdFrame& frame = frames().moving;  // rendered before the measurement
   for ([[maybe_unused]] auto iteration : state) {
     benchmark::DoNotOptimize(select_points(frame, camera(), count));
   }
@@ -78,7 +78,7 @@ void set_fixed(benchmark::State& state, const TrackerOptions& options) {
 BENCHMARK_CAPTURE(set_fixed, newton, TrackerOptions())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(set_fixed, flow, paper_options())->Unit(benchmark::kMillisecond);
 
-/// From the identity: the start is a whole frame's motion away.
+/// Starts at the identity, which is the motion of a whole frame away from the result.
 void align_to_fixed(benchmark::State& state, const TrackerOptions& options) {
   const Clouds clouds(options);
   Registration registration(options.registration);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a frame of 640x480 of the synthetic room costs, without writing it to a file.
+// Measures what a frame of 640x480 pixels of the synthetic room costs, without writing it to a
+// file.
 #include <benchmark/benchmark.h>
 
 #include "cvo_slam/synthetic/rendering.h"
@@ -12,7 +13,8 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-/// Times along the path, so that a mean is taken over near and far, smooth and cluttered views.
+/// Time from a frame to the next, so that the mean is over near and far, smooth and cluttered
+/// views.
 constexpr double kStep = 0.7;  // [s]
 
 void render_frames(benchmark::State& state) {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a feature detector and the tracker see of real images and of the synthetic worlds, as the
-// table of docs/worlds.md; and that page's pictures.
+// Measures what a feature detector and the tracker find in real images and in the synthetic worlds.
+// Prints the table of docs/results/synthetic-images.md and draws the pictures of
+// docs/images/worlds.
 //   world_statistics [--real <sequence>]... [--frames 12] [--pictures <folder>] [--only <world>]
 #include <algorithm>
 #include <array>
@@ -17,7 +18,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "cvo_slam/core/error.h"
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/io/dataset.h"
@@ -35,9 +36,9 @@ struct WorldStatistics {
   std::array<double, kBins.size()> histogram{};  // shares of all pixels
   double median_gradient = 0;
   double brightness = 0;
-  double keypoints = 0;  // of at most 1000
-  double response = 0;   // median, Harris score times 1e6
-  double points = 0;     // selected of at most 6000
+  double keypoints = 0;  // number of ORB key points, at most 1000
+  double response = 0;   // median of their Harris scores, times 1e6
+  double points = 0;     // number of selected points, at most 6000
   double frames = 0;
 
   void operator/=(double count) {
@@ -132,7 +133,7 @@ void print_row(const std::string& name, const WorldStatistics& s) {
   std::fflush(stdout);
 }
 
-/// Three views side by side.
+/// Writes three views side by side.
 void write_picture(const synthetic::World& world, const std::filesystem::path& file) {
   const Camera camera = synthetic::synthetic_camera(400, 300);
   std::vector<cv::Mat> views;
@@ -141,7 +142,7 @@ void write_picture(const synthetic::World& world, const std::filesystem::path& f
   }
   cv::Mat picture;
   cv::hconcat(views, picture);
-  constexpr std::size_t kLargest = 60000;  // [bytes]: the manual is no photo album
+  constexpr std::size_t kLargest = 60000;  // [bytes]; small enough for the repository
   std::vector<unsigned char> bytes;
   for (int quality = 90; quality > 20; quality -= 5) {
     cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
@@ -150,44 +151,43 @@ void write_picture(const synthetic::World& world, const std::filesystem::path& f
   write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("Statistics and pictures of the synthetic worlds");
+struct StatisticsArguments {
   std::vector<std::string> real;
   std::vector<std::string> worlds = synthetic::world_names();
   std::string pictures;
   int frames = 12;
-  app.add_option("--real", real, "Recorded sequences to compare with");
-  app.add_option("--only", worlds, "These worlds, or world files");
-  app.add_option("--frames", frames, "Of each sequence, evenly spread")
-      ->check(CLI::Range(1, 10000));
-  app.add_option("--pictures", pictures, "Write a picture of each world into this folder");
-  CLI11_PARSE(app, argc, argv);
+};
+
+void run(const StatisticsArguments& arguments) {
   fmt::print(
       "| sequence | < 1 | 1 - 2 | 2 - 4 | 4 - 8 | 8 - 16 | 16 - 32 | > 32 | median | brightness | "
       "keypoints | response | points |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const auto& folder : real) {
-    print_row(std::filesystem::path(folder).filename().string(), of_sequence(folder, frames));
+  for (const auto& folder : arguments.real) {
+    print_row(std::filesystem::path(folder).filename().string(),
+              of_sequence(folder, arguments.frames));
   }
-  if (!pictures.empty()) std::filesystem::create_directories(pictures);
-  for (const auto& name : worlds) {
+  if (!arguments.pictures.empty()) make_folder(arguments.pictures);
+  for (const auto& name : arguments.worlds) {
     const auto world = synthetic::make_world(name);
-    if (!pictures.empty()) {
+    if (!arguments.pictures.empty()) {
       const auto stem = std::filesystem::path(name).stem().string();
-      write_picture(world, std::filesystem::path(pictures) / (stem + ".jpg"));
+      write_picture(world, std::filesystem::path(arguments.pictures) / (stem + ".jpg"));
     }
-    print_row(name, of_world(world, frames));
+    print_row(name, of_world(world, arguments.frames));
   }
-  return 0;
 }
 
 }  // namespace
 }  // namespace cvo_slam
 
 int main(int argc, char** argv) {
-  try {
-    return cvo_slam::run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "world_statistics: {}\n", error.what());
-    return 2;
-  }
+  cvo_slam::StatisticsArguments arguments;
+  CLI::App app("Measures and draws the synthetic worlds");
+  app.add_option("--real", arguments.real, "Recorded sequences to compare with");
+  app.add_option("--only", arguments.worlds, "Names of worlds, or world files");
+  app.add_option("--frames", arguments.frames, "Number of frames of each sequence, evenly spread")
+      ->check(CLI::Range(1, 10000));
+  app.add_option("--pictures", arguments.pictures, "Folder for a picture of each world");
+  CLI11_PARSE(app, argc, argv);
+  return cvo_slam::report_errors([&] { cvo_slam::run(arguments); });
 }

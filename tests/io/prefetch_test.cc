@@ -37,22 +37,26 @@ class NumberedFrames : public Dataset {
   std::vector<std::string> notes_;
 };
 
+/// Indices of the frames that are left, at most ten: a prefetcher that is never done must not hang
+/// the test.
+std::vector<std::size_t> rest_of(FramePrefetcher& frames) {
+  std::vector<std::size_t> indices;
+  while (!frames.done() && indices.size() < 10) indices.push_back(frames.next().index);
+  return indices;
+}
+
 TEST(FramePrefetcher, GivesEveryFrameOfTheRangeInOrder) {
   const NumberedFrames data;
   for (const std::size_t ahead : {1U, 3U, 100U}) {
     FramePrefetcher frames(data, 2, 6, 1, ahead);
-    std::vector<std::size_t> indices;
-    while (!frames.done()) indices.push_back(frames.next().index);
-    EXPECT_EQ(indices, std::vector<std::size_t>({2, 3, 4, 5}));
+    EXPECT_EQ(rest_of(frames), std::vector<std::size_t>({2, 3, 4, 5}));
   }
 }
 
 TEST(FramePrefetcher, LeavesOutFramesBetweenSteps) {
   const NumberedFrames data;
   FramePrefetcher frames(data, 0, 7, 3);
-  std::vector<std::size_t> indices;
-  while (!frames.done()) indices.push_back(frames.next().index);
-  EXPECT_EQ(indices, std::vector<std::size_t>({0, 3, 6}));
+  EXPECT_EQ(rest_of(frames), std::vector<std::size_t>({0, 3, 6}));
 }
 
 TEST(FramePrefetcher, IsDoneAtOnceIfTheRangeIsEmpty) {

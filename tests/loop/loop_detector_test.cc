@@ -141,7 +141,9 @@ TEST(LoopOptions, DefaultsAreInRange) {
   EXPECT_NO_THROW(describe(options).check());
 }
 
-TEST(BuiltinVocabulary, HasTheWordsOfItsFile) { EXPECT_GT(builtin_vocabulary()->words(), 50000U); }
+TEST(BuiltinVocabulary, HasTheWordsOfItsTraining) {
+  EXPECT_GT(builtin_vocabulary()->words(), 50000U);
+}
 
 }  // namespace
 }  // namespace cvo_slam

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
@@ -29,7 +30,8 @@ class PairSource {
   /// Returns a point seen by both cameras. `pixels` and `depth` (at up to a metre; it grows with
   /// the square of the depth) are the standard deviations.
   PointPair inlier(double pixels, double depth) {
-    while (true) {
+    constexpr int kMostTries = 10000;  // most points are seen by both
+    for (int i = 0; i < kMostTries; ++i) {
       const double z = uniform(0.8, 3);
       const Vector3 in_a = z * camera_.unproject({uniform(10, camera_.width - 10),
                                                   uniform(10, camera_.height - 10)});
@@ -37,6 +39,7 @@ class PairSource {
       if (in_b.z() < 0.3 || !camera_.contains(camera_.project(in_b))) continue;
       return {feature(in_a, pixels, depth), feature(in_b, pixels, depth)};
     }
+    throw std::logic_error("the two cameras see nothing of the same");
   }
 
   PointPair outlier() { return {inlier(0, 0).a, inlier(0, 0).b}; }

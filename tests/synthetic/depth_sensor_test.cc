@@ -147,9 +147,10 @@ TEST(DepthSensor, LateralNoiseMovesEdgesByTheFormulasPixels) {
   const IdealImages ideal = ideal_images(box_before_wall());
   // Columns of the first pixels of the box and of the wall behind its right side.
   int first = 0;
-  while (ideal.depth.at<double>(60, first) > 1.5) ++first;
+  while (first < ideal.depth.cols && ideal.depth.at<double>(60, first) > 1.5) ++first;
   int last = first;
-  while (ideal.depth.at<double>(60, last) < 1.5) ++last;
+  while (last < ideal.depth.cols && ideal.depth.at<double>(60, last) < 1.5) ++last;
+  ASSERT_LT(last, ideal.depth.cols);
   std::array<double, 3>
       wrong{};  // share of pixels 1, 2, 3 px off the edge that show what is beyond
   constexpr int kFrames = 16;

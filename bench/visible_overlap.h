@@ -12,9 +12,9 @@
 
 namespace cvo_slam {
 
-/// The share of b's surface that a sees as well, by their depth images.
-inline double seen_share(const RgbdFrame& a, const RgbdFrame& b, const SE3& T_a_b,
-                         const Camera& camera) {
+/// Returns the share of the surface in b's depth image that a sees as well, in [0, 1].
+inline double visible_overlap(const RgbdFrame& a, const RgbdFrame& b, const SE3& T_a_b,
+                              const Camera& camera) {
   constexpr int kGrid = 16;  // [px]
   int total = 0;
   int seen = 0;
@@ -30,17 +30,18 @@ inline double seen_share(const RgbdFrame& a, const RgbdFrame& b, const SE3& T_a_
       const double there =
           a.depth.at<std::uint16_t>(static_cast<int>(pixel.y()), static_cast<int>(pixel.x())) /
           camera.depth_scale;
-      // Without a depth nothing says that it is hidden.
+      // A pixel of a without a depth counts as seen: nothing shows that the point is hidden.
       if (there <= 0 || std::abs(there - p.z()) < 0.05 + 0.05 * p.z()) ++seen;
     }
   }
   return total > 0 ? static_cast<double>(seen) / total : 0;
 }
 
-/// Of both the lower.
-inline double mutual_share(const RgbdFrame& a, const RgbdFrame& b, const SE3& T_a_b,
-                           const Camera& camera) {
-  return std::min(seen_share(a, b, T_a_b, camera), seen_share(b, a, T_a_b.inverse(), camera));
+/// Returns visible_overlap() of a and b or of b and a, the smaller one.
+inline double mutual_overlap(const RgbdFrame& a, const RgbdFrame& b, const SE3& T_a_b,
+                             const Camera& camera) {
+  return std::min(visible_overlap(a, b, T_a_b, camera),
+                  visible_overlap(b, a, T_a_b.inverse(), camera));
 }
 
 }  // namespace cvo_slam
