@@ -8,8 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "cvo_slam/core/absolute_trajectory_error.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/relative_pose_error.h"
@@ -53,9 +51,6 @@ struct EvaluationReport {
 
 /// "RPE 1 s", "RPE 0.5 m", "RPE 1 frame": how tables and plots call a relative error.
 [[nodiscard]] std::string label_of(const RelativePoseOptions& options);
-
-/// All figures; keys end in the unit ("translation_m", "rotation_deg").
-[[nodiscard]] nlohmann::ordered_json to_json(const EvaluationReport& report);
 
 /// All figures as lines of text for people, metres and degrees.
 [[nodiscard]] std::string to_table(const EvaluationReport& report);

@@ -4,8 +4,6 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cvo_slam/apps/frame_pair.h"
 #include "cvo_slam/frontend/inspection.h"
 #include "cvo_slam/frontend/registration.h"
@@ -30,11 +28,11 @@ struct FrameRegistration {
 [[nodiscard]] FrameRegistration register_frames(const FramePair& pair,
                                                 const TrackerOptions& options);
 
+/// Returns the standard deviations of a right perturbation of T_a_b, [translation; rotation]: the
+/// square roots of the covariance's diagonal [m, rad].
+[[nodiscard]] Vector6 standard_deviations(const RegistrationResult& result);
+
 /// All figures as lines of text for people.
 [[nodiscard]] std::string to_table(const FramePair& pair, const FrameRegistration& registration);
-
-/// The same; keys end in the unit.
-[[nodiscard]] nlohmann::ordered_json to_json(const FramePair& pair,
-                                             const FrameRegistration& registration);
 
 }  // namespace cvo_slam

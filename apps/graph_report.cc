@@ -11,11 +11,6 @@
 namespace cvo_slam {
 namespace {
 
-auto candidates_of_kind(const std::vector<LoopCandidate>& candidates, EdgeKind kind) {
-  return std::count_if(candidates.begin(), candidates.end(),
-                       [&](const LoopCandidate& candidate) { return candidate.kind == kind; });
-}
-
 /// The columns that a bag of words has; empty where the pair was found otherwise.
 std::string recognition_fields(const LoopCandidate& c) {
   if (c.kind != EdgeKind::kLoop) return ",,";
@@ -66,27 +61,6 @@ std::string csv_quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + "\"";
-}
-
-nlohmann::ordered_json to_json(const GraphResult& result) {
-  const GraphStatistics& statistics = result.statistics;
-  const Summary& last = statistics.last_full;
-  return {{"nodes", result.graph.nodes().size()},
-          {"odometry_edges", edges_of_kind(result.graph, EdgeKind::kOdometry)},
-          {"proximity_edges", edges_of_kind(result.graph, EdgeKind::kProximity)},
-          {"loop_edges", edges_of_kind(result.graph, EdgeKind::kLoop)},
-          {"candidates", result.candidates.size()},
-          {"bow_candidates", candidates_of_kind(result.candidates, EdgeKind::kLoop)},
-          {"window_solves", statistics.window_solves},
-          {"window_s", statistics.window_seconds},
-          {"full_solves", statistics.full_solves},
-          {"full_s", statistics.full_seconds},
-          {"last_full",
-           {{"initial_cost", last.initial_cost},
-            {"final_cost", last.final_cost},
-            {"iterations", last.iterations},
-            {"converged", last.converged},
-            {"rejected_edges", last.rejected_edges()}}}};
 }
 
 std::string to_table(const GraphResult& result) {

@@ -8,9 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
-#include "cvo_slam/apps/slam_run.h"
+#include "cvo_slam/apps/sequence_run.h"
 
 namespace cvo_slam {
 
@@ -21,9 +19,6 @@ namespace cvo_slam {
 [[nodiscard]] std::string_view name_of(const LoopCandidate& candidate);
 
 [[nodiscard]] std::size_t edges_of_kind(const PoseGraph& graph, EdgeKind kind);
-
-/// Numbers of nodes, edges and candidates, costs, iterations, times.
-[[nodiscard]] nlohmann::ordered_json to_json(const GraphResult& result);
 
 /// Its rows in the table at the end of a run.
 [[nodiscard]] std::string to_table(const GraphResult& result);

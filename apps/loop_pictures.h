@@ -7,12 +7,21 @@
 #include <string>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "cvo_slam/io/dataset.h"
+#include "cvo_slam/loop/loop_verifier.h"
 #include "cvo_slam/slam/loop_candidate.h"
 
 namespace cvo_slam {
 
-/// Of which recognised places pictures are made.
+/// Two images side by side, with a line from each point to where the other image sees it. The
+/// images are CV_8UC3 or CV_8UC1, of any size; in the place of an empty one there is a grey field.
+/// A picture wider than `max_width` [px] is shrunk to it. CV_8UC3: blue, green, red.
+[[nodiscard]] cv::Mat draw_matches(const cv::Mat& a, const cv::Mat& b,
+                                   const std::vector<PixelPair>& pixels, int max_width);
+
+/// The loop candidates whose pictures are drawn.
 enum class LoopPictures { kNone, kAccepted, kAll };
 
 /// A recognised place with its picture.

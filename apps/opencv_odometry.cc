@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/opencv_odometry.h"
 
+#ifdef CVO_SLAM_HAS_OPENCV_RGBD
+
 #include <limits>
 #include <utility>
 
@@ -115,3 +117,16 @@ std::unique_ptr<OdometrySystem> make_opencv_odometry(OpencvMethod method, const 
 }
 
 }  // namespace cvo_slam
+
+#else
+
+namespace cvo_slam {
+
+std::unique_ptr<OdometrySystem> make_opencv_odometry(OpencvMethod /*method*/,
+                                                     const Camera& /*camera*/) {
+  return nullptr;
+}
+
+}  // namespace cvo_slam
+
+#endif

@@ -5,8 +5,15 @@
 #include <array>
 #include <system_error>
 
+#include "cvo_slam/apps/evaluation_plots.h"
+#include "cvo_slam/apps/graph_report.h"
 #include "cvo_slam/apps/loop_pictures.h"
+#include "cvo_slam/apps/page/run_page.h"
+#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/io/options_file.h"
+#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/plot/trajectory_plot.h"
 
 namespace cvo_slam {
 namespace {
@@ -30,6 +37,25 @@ constexpr std::array kFiles = {
     RunFile{"config.yaml", "the options of this run, for --config"},
 };
 
+/// What track() answered at the time, of all segments.
+Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
+  Trajectory trajectory;
+  for (const auto& record : records) {
+    if (record.status == TrackingStatus::kTracked) {
+      trajectory.poses.push_back({record.stamp, record.T_world_camera});
+    } else {
+      trajectory.lost.push_back({record.stamp, record.reason});
+    }
+  }
+  return trajectory;
+}
+
+std::vector<NamedFigure> figures_of(const RunReport& report) {
+  const auto& poses = report.trajectory.poses;
+  if (!report.evaluation) return {{"trajectory", trajectory_figure({}, poses)}};
+  return evaluation_figures(report.data.reference(), poses, *report.evaluation);
+}
+
 }  // namespace
 
 std::span<const RunFile> run_files() { return kFiles; }
@@ -43,6 +69,26 @@ void remove_run(const std::filesystem::path& folder) {
     remove_file(file);
   }
   remove_loop_pictures(folder);
+}
+
+void write_run(const std::filesystem::path& folder, RunReport& report) {
+  write_tum(folder / "trajectory.txt", report.trajectory);
+  write_tum(folder / "trajectory_online.txt", online_trajectory(report.run.records));
+  write_file(folder / "frames.csv", frames_csv(report.run));
+  ProgramOptions options = report.options;
+  write_file(folder / "config.yaml", options_to_yaml(describe(options), true));
+  RunPictures pictures;
+  if (report.graph) {
+    write_loops(folder, *report.graph);
+    pictures.loops = write_loop_pictures(folder, report.data, report.graph->candidates,
+                                         report.loop_pictures, kMostLoopsOnPage, report.notes);
+  }
+  pictures.map =
+      write_run_map(folder, report.map, report.trajectory, report.data.reference(), report.notes);
+  write_file(folder / "report.json", json_text(report) + "\n");
+  pictures.figures = figures_of(report);
+  write_figures(folder, pictures.figures);
+  write_file(folder / "report.html", run_page(folder, report, pictures));
 }
 
 }  // namespace cvo_slam

@@ -93,11 +93,4 @@ cv::Mat write_run_map(const std::filesystem::path& folder, RunMap& run_map,
   return picture.image;
 }
 
-nlohmann::ordered_json to_json(const RunMap& run_map) {
-  return {{"keyframes", run_map.map.keyframes.size()},
-          {"points", run_map.map.points.size()},
-          {"cpu_s", run_map.cpu_seconds},
-          {"renderer", run_map.renderer}};
-}
-
 }  // namespace cvo_slam

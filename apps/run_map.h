@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <opencv2/core/mat.hpp>
 
-#include "cvo_slam/apps/odometry_run.h"
-#include "cvo_slam/apps/slam_run.h"
+#include "cvo_slam/apps/sequence_run.h"
 #include "cvo_slam/core/map.h"
 #include "cvo_slam/core/point_fusion.h"
 
@@ -37,7 +35,5 @@ struct RunMap {
 cv::Mat write_run_map(const std::filesystem::path& folder, RunMap& run_map,
                       const Trajectory& trajectory, const std::vector<StampedPose>& reference,
                       std::vector<std::string>& notes);
-
-[[nodiscard]] nlohmann::ordered_json to_json(const RunMap& run_map);
 
 }  // namespace cvo_slam

@@ -20,8 +20,8 @@
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/apps/match_picture.h"
-#include "cvo_slam/apps/settings.h"
+#include "cvo_slam/apps/argument_text.h"
+#include "cvo_slam/apps/loop_pictures.h"
 #include "cvo_slam/bench/seen_share.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"

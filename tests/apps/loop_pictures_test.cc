@@ -11,7 +11,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/apps/match_picture.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/tests/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/apps/step_plot.h"
+#include "cvo_slam/apps/registration_plots.h"
 
 #include <cmath>
 #include <filesystem>
