@@ -101,7 +101,8 @@ format-check: needs-clang-format ## Fail where a C++ file is not formatted
 	clang-format --dry-run --Werror $(CLANG_FORMATTED)
 
 .PHONY: install
-install: build ## Install the program and the libraries below PREFIX
+install: build/release/build.ninja ## Build and install the program and the libraries below PREFIX
+	cmake --build build/release --target cvo_slam_installed --parallel $(JOBS)
 	cmake --install build/release --prefix "$(PREFIX)"
 
 .PHONY: clean

@@ -26,10 +26,12 @@ function(cvo_slam_reuse_precompiled_headers TARGET)
   endif()
 endfunction()
 
-# Compiles a target of a release build with -O1 instead of -O3: for code that takes no noticeable
-# part of the running time, compiling it takes a third less.
+# Compiles a target of a release build with -O1 instead of -O3. It is for code that takes no
+# noticeable part of the running time; compiling it takes a quarter less. GCC follows fewer paths
+# then, and takes more variables for uninitialised than are.
 function(cvo_slam_compile_quickly TARGET)
-  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${TARGET}
+                         PRIVATE "$<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>")
 endfunction()
 
 # Makes the headers of a top-level folder available as cvo_slam/<folder>/<file>.h in the build tree.
@@ -69,6 +71,7 @@ function(cvo_slam_room NAME)
   endif()
 
   if(CVO_SLAM_INSTALL)
+    add_dependencies(cvo_slam_installed ${TARGET})
     install(TARGETS ${TARGET} EXPORT cvo_slam_targets)
     foreach(HEADER IN LISTS ROOM_PUBLIC_HEADERS)
       cmake_path(GET HEADER PARENT_PATH SUBFOLDER)

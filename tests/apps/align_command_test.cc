@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // `cvo_slam align` from outside: what it prints and draws, its exit codes, its errors.
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -15,7 +14,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 
 namespace cvo_slam {
@@ -25,13 +24,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-/// Six frames of the synthetic room, small so that a registration takes milliseconds.
 class AlignCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    synthetic::write_sequence(room_, {.frames = 6, .width = 160, .height = 120});
-  }
-
   [[nodiscard]] ProgramResult align(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"align", room_.string()});
     return run_program(arguments);
@@ -39,16 +33,7 @@ class AlignCommand : public testing::Test {
 
   /// The images of frame `index`, colour and depth.
   [[nodiscard]] std::vector<std::string> images(std::size_t index) const {
-    std::vector<std::string> files;
-    for (const char* folder : {"rgb", "depth"}) {
-      std::vector<std::filesystem::path> all;
-      for (const auto& entry : std::filesystem::directory_iterator(room_ / folder)) {
-        all.push_back(entry.path());
-      }
-      std::sort(all.begin(), all.end());
-      files.push_back(all.at(index));
-    }
-    return files;
+    return {sequence_.images("rgb").at(index), sequence_.images("depth").at(index)};
   }
 
   [[nodiscard]] static ProgramResult align_images(const std::vector<std::string>& a,
@@ -64,8 +49,9 @@ class AlignCommand : public testing::Test {
     EXPECT_EQ(result.output, "");
   }
 
-  TemporaryFolder folder_;
-  std::filesystem::path room_ = folder_.path() / "room";
+  RoomSequence sequence_{6};
+  const TemporaryFolder& folder_ = sequence_.folder();
+  const std::filesystem::path room_ = sequence_.path();
 };
 
 TEST_F(AlignCommand, FindsTheMotionBetweenTwoFrames) {

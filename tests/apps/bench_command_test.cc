@@ -14,7 +14,7 @@
 #include "cvo_slam/apps/odometry_benchmark.h"
 #include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/io/tum_trajectory.h"
-#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/io/tiny_sequence.h"
 
@@ -25,20 +25,16 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Six frames of the synthetic room, small so that all systems together need about a second.
 class BenchCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    synthetic::write_sequence(sequence_, {.frames = 6, .width = 160, .height = 120});
-  }
-
   ProgramResult bench(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"bench", "odometry", sequence_.string(), "--quiet"});
     return run_program(arguments);
   }
 
-  TemporaryFolder folder_;
-  std::filesystem::path sequence_ = folder_.path() / "room";
+  RoomSequence room_{6};
+  const TemporaryFolder& folder_ = room_.folder();
+  const std::filesystem::path sequence_ = room_.path();
 };
 
 TEST_F(BenchCommand, ComparesAllSystemsOnAllFrames) {

@@ -16,7 +16,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
@@ -41,10 +41,6 @@ const std::vector<std::string> kSlam = {"--mode", "slam",
 
 class ReportPage : public testing::Test {
  protected:
-  ReportPage() {
-    synthetic::write_sequence(sequence_, {.frames = kFrames, .width = 160, .height = 120});
-  }
-
   int run(const std::vector<std::string>& options, const std::string& out = "out") const {
     std::vector<std::string> arguments = {"run", sequence_, "--quiet", "--out",
                                           folder_.path() / out};
@@ -59,17 +55,6 @@ class ReportPage : public testing::Test {
     return read_text(file(out));
   }
 
-  void blank(std::size_t first, std::size_t last) const {
-    std::vector<std::filesystem::path> images;
-    for (const auto& entry : std::filesystem::directory_iterator(sequence_ / "rgb")) {
-      images.push_back(entry.path());
-    }
-    std::sort(images.begin(), images.end());
-    for (std::size_t i = first; i <= last; ++i) {
-      cv::imwrite(images[i], cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(128)));
-    }
-  }
-
   static std::size_t count(const std::string& text, const std::string& word) {
     std::size_t n = 0;
     for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1)) ++n;
@@ -82,8 +67,9 @@ class ReportPage : public testing::Test {
     return page.substr(0, begin) + page.substr(end);
   }
 
-  TemporaryFolder folder_;
-  std::filesystem::path sequence_ = folder_.path() / "room";
+  RoomSequence room_{kFrames};
+  const TemporaryFolder& folder_ = room_.folder();
+  const std::filesystem::path sequence_ = room_.path();
 };
 
 TEST_F(ReportPage, ShowsFiguresPlotsMapOptionsAndFiles) {
@@ -166,7 +152,7 @@ TEST_F(ReportPage, IsTheSameAgainButForTimes) {
 }
 
 TEST_F(ReportPage, TellsWhenAndWhyFramesWereLost) {
-  blank(5, 6);
+  room_.blank(5, 6);
   EXPECT_EQ(run({}), 3);
   EXPECT_THAT(page(), HasSubstr("<td>5 to 6</td><td>1000.166667</td><td class=\"number\">2</td>"
                                 "<td>only 0 points"));
@@ -174,7 +160,7 @@ TEST_F(ReportPage, TellsWhenAndWhyFramesWereLost) {
 }
 
 TEST_F(ReportPage, OfARunThatNeverTrackedIsWhole) {
-  blank(0, kFrames - 1);
+  room_.blank(0, kFrames - 1);
   EXPECT_EQ(run({"--mode", "slam"}), 3);
   EXPECT_THAT(page(),
               AllOf(HasSubstr("0 of 12 frames"), HasSubstr("<td>0 to 11</td>"),

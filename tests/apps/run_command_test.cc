@@ -18,7 +18,7 @@
 
 #include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/tum_trajectory.h"
-#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
@@ -34,10 +34,6 @@ constexpr std::size_t kFrames = 12;
 
 class RunCommand : public testing::Test {
  protected:
-  RunCommand() {
-    synthetic::write_sequence(sequence_, {.frames = kFrames, .width = 160, .height = 120});
-  }
-
   [[nodiscard]] ProgramResult run(const std::vector<std::string>& options,
                                   const std::string& out = "out",
                                   const ProgramStreams& streams = {}) const {
@@ -72,18 +68,9 @@ class RunCommand : public testing::Test {
     EXPECT_THAT(result.errors, HasSubstr(text));
   }
 
-  /// Replaces an image of the sequence by one without anything to see.
-  void blank(std::size_t frame) const {
-    std::vector<std::filesystem::path> images;
-    for (const auto& entry : std::filesystem::directory_iterator(sequence_ / "rgb")) {
-      images.push_back(entry.path());
-    }
-    std::sort(images.begin(), images.end());
-    cv::imwrite(images[frame], cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(128)));
-  }
-
-  TemporaryFolder folder_;
-  std::filesystem::path sequence_ = folder_.path() / "room";
+  RoomSequence room_{kFrames};
+  const TemporaryFolder& folder_ = room_.folder();
+  const std::filesystem::path sequence_ = room_.path();
 };
 
 TEST_F(RunCommand, WritesEveryFileAndEndsWithATable) {
@@ -274,7 +261,7 @@ TEST_F(RunCommand, FiguresArePrintedEvenWhereAFileCannotBeWritten) {
 }
 
 TEST_F(RunCommand, LostFramesAreMarkedAndTooManyAreExitCode3) {
-  blank(5);
+  room_.blank(5, 5);
   const auto result = run({});
   EXPECT_EQ(result.exit_code, 3);  // 1 of 12 is more than 5 %
   EXPECT_THAT(result.output, HasSubstr("lost         8.3 % (1 of 12 frames)"));
@@ -291,7 +278,7 @@ TEST_F(RunCommand, ABrokenImageIsALostFrameThatNamesTheFile) {
 }
 
 TEST_F(RunCommand, NoFrameTrackedIsExitCode3WithAllFiles) {
-  for (std::size_t i = 0; i < kFrames; ++i) blank(i);
+  room_.blank(0, kFrames - 1);
   const auto result = run({});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.output, HasSubstr("lost         100.0 %"));
@@ -339,12 +326,13 @@ TEST_F(RunCommand, TheDefaultFolderHasALinkToTheLatest) {
 }
 
 TEST_F(RunCommand, AnInterruptWritesWhatThereIs) {
-  // The paper's protocol takes seconds. The program is interrupted as soon as it has made its
-  // folder, which it does after it began to listen.
+  // The protocol of the paper takes seconds. The program is interrupted as soon as it has made its
+  // folder, which it does after it began to listen. A program that makes none is interrupted after a
+  // minute, and the test fails.
   const auto out = folder_.path() / "out";
   const std::string command = fmt::format(
-      "'{}' run '{}' --out '{}' --preset paper --quiet & while [ ! -e '{}/trajectory.txt' ]; do "
-      ":; done; kill -INT $!; wait $!",
+      "'{}' run '{}' --out '{}' --preset paper --quiet & for i in $(seq 6000); do "
+      "[ -e '{}/trajectory.txt' ] && break; sleep 0.01; done; kill -INT $!; wait $!",
       CVO_SLAM_PROGRAM, sequence_.string(), out.string(), out.string());
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 130);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/apps/usage.h"
+#include "cvo_slam/apps/command_line.h"
 
 #include <algorithm>
 
+#include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
