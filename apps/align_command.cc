@@ -35,9 +35,9 @@ int align_frames(const AlignArguments& arguments) {
   if (!arguments.plot.empty()) {
     write_registration_plots(arguments.plot, pair, registration, options.registration);
   }
-  fmt::print("{}", arguments.json ? json_text(pair, registration) + "\n"
-                                  : to_table(pair, registration));
-  return registration.doubt.empty() ? kDone : kTrackingLost;
+  fmt::print("{}",
+             arguments.json ? json_text(pair, registration) + "\n" : to_table(pair, registration));
+  return registration.rejection.empty() ? kDone : kTrackingLost;
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ int bench_odometry(const BenchArguments& arguments) {
                              [&](std::size_t done, std::size_t) { progress.update(done, ""); });
   if (!arguments.out.empty()) write_trajectories(arguments.out, benchmark);
   if (!arguments.plot.empty()) write_benchmark_plots(arguments.plot, *data, benchmark);
-  fmt::print(
-      "{}", arguments.json ? json_text(*data, benchmark) + "\n" : to_table(*data, benchmark));
+  fmt::print("{}",
+             arguments.json ? json_text(*data, benchmark) + "\n" : to_table(*data, benchmark));
   return kDone;
 }
 
@@ -93,8 +93,7 @@ void add_bench_command(CLI::App& app, Action& action) {
            fmt::format("The systems to compare, separated by commas: {} (default: all)",
                        fmt::join(odometry_system_names(), ", ")))
       .separated_by_commas();
-  command.add("--out", &arguments->out,
-              "Folder for the trajectories, <system>.txt in TUM format");
+  command.add("--out", &arguments->out, "Folder for the trajectories, <system>.txt in TUM format");
   command.add("--plot", &arguments->plot,
               "Folder for odometry.png and odometry.svg: distributions of the errors from frame to "
               "frame, and top views; needs ground truth");

@@ -29,7 +29,7 @@ const Row& header() {
   return row;
 }
 
-/// RMSE of translation and rotation, an RPE's two cells.
+/// Adds the two cells of a relative error: the RMSE of translation and of rotation.
 void add_cells(const RelativeEvaluation& relative, Row& row) {
   if (!relative.error) {
     row.insert(row.end(), {"-", "-"});
@@ -66,7 +66,7 @@ Row row_of(const ContestantResult& result) {
   return row;
 }
 
-/// Names to the left, figures to the right, under the header.
+/// Aligns names to the left and figures to the right.
 std::string markdown_line(const Row& row, const std::vector<std::size_t>& widths) {
   std::string line = fmt::format("| {:<{}} |", row.front(), widths.front());
   for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format(" {:>{}} |", row[i], widths[i]);

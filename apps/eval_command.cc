@@ -31,7 +31,7 @@ struct EvalArguments {
   bool json = false;
 };
 
-/// The relative errors that the command line asks for; each metric has its own defaults.
+/// Returns the relative errors that the command line asks for; each metric has its own defaults.
 std::vector<RelativePoseOptions> relative_options(const EvalArguments& arguments) {
   const bool has_delta = arguments.delta || arguments.unit || arguments.all_pairs;
   if (!arguments.metric && !has_delta) return EvaluationOptions().relative;

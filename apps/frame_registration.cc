@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kMillimetres = 1000;
 
-/// What a tracker would have against the result; empty where it has nothing.
-std::string doubt_of(const RegistrationResult& result, const LostOptions& limits) {
+/// Returns why a tracker would reject the result; empty if it would not.
+std::string rejection_of(const RegistrationResult& result, const LostOptions& limits) {
   if (result.overlap < limits.min_overlap) {
     return fmt::format("overlap {:.2f} is below lost.min_overlap={}", result.overlap,
                        limits.min_overlap);
@@ -71,7 +71,7 @@ FrameRegistration register_frames(const FramePair& pair, const TrackerOptions& o
     throw DataError(
         fmt::format("{} and {} cannot be registered: {}", pair.name_a, pair.name_b, result.reason));
   }
-  registration.doubt = doubt_of(result, options.lost);
+  registration.rejection = rejection_of(result, options.lost);
   registration.length_scale = options.registration.length_scales.back();
   const auto similarity_at = [&](const SE3& T) {
     return similarity(registration.points_a, registration.points_b, T, options.registration.kernel,
@@ -113,7 +113,8 @@ std::string to_table(const FramePair& pair, const FrameRegistration& registratio
                       before.entries, registration.length_scale);
   text += fmt::format("iterations     {}, {}\n", result.iterations, result.reason);
   text += fmt::format("CPU time       {:.1f} ms\n", registration.cpu_seconds * 1000);
-  if (!registration.doubt.empty()) text += fmt::format("doubtful       {}\n", registration.doubt);
+  if (!registration.rejection.empty())
+    text += fmt::format("rejected       {}\n", registration.rejection);
   return text;
 }
 

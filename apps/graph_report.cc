@@ -11,20 +11,20 @@
 namespace cvo_slam {
 namespace {
 
-/// The columns that a bag of words has; empty where the pair was found otherwise.
+/// Returns the columns of place recognition; empty if the pair was found in another way.
 std::string recognition_fields(const LoopCandidate& c) {
   if (c.kind != EdgeKind::kLoop) return ",,";
   return fmt::format("{:.4f},{:.3f},{}", c.score, c.normalized_score, c.inliers);
 }
 
-/// What the registrations found; empty where the candidate was refused before.
+/// Returns the columns of the registration; empty if the candidate was rejected before it.
 std::string registration_fields(const LoopCandidate& c) {
   if (c.overlap == 0) return ",,,";
   return fmt::format("{:.4f},{:.4f},{:.5f},{:.5f}", c.overlap, c.cos_theta,
                      c.round_trip_translation, c.round_trip_rotation);
 }
 
-/// How that fits the graph; empty where it was not asked, or does not know.
+/// Returns the columns of the comparison with the graph; empty if there was none.
 std::string correction_fields(const LoopCandidate& c) {
   if (c.error == 0) return ",,";
   return fmt::format("{:.5f},{:.5f},{:.3f}", c.correction_translation, c.correction_rotation,

@@ -21,7 +21,7 @@ namespace cvo_slam {
 namespace {
 
 constexpr int kGap = 8;  // [px] between the two images
-/// So that neighbouring lines are told apart, on dark and on bright images.
+/// Different enough to tell neighbouring lines apart, on dark and on bright images.
 constexpr std::array kLineColors = {kSkyBlue, kOrange, kGreen, kPurple, kVermilion};
 const cv::Scalar kWhite = cv::Scalar::all(255);
 const cv::Scalar kNoImage = cv::Scalar::all(160);
@@ -31,7 +31,7 @@ cv::Scalar to_scalar(Color color) {
           static_cast<double>(color.red)};
 }
 
-/// The image in colour; a field of the other one's size where there is none.
+/// Returns the image in colour or, if it is empty, a grey field of the size of the other image.
 cv::Mat in_color(const cv::Mat& image, const cv::Size& other) {
   if (image.empty()) {
     const cv::Size size = other.empty() ? cv::Size(320, 240) : other;
@@ -56,7 +56,7 @@ cv::Mat shrunk(const cv::Mat& image, double scale) {
   return result;
 }
 
-/// The ends of a match on the picture of both images, drawn with a scale.
+/// The two ends of a match on the scaled picture of both images.
 struct Ends {
   cv::Point2f a;
   cv::Point2f b;
@@ -78,7 +78,7 @@ cv::Scalar color_of(std::size_t match) {
   return to_scalar(kLineColors[match % kLineColors.size()]);
 }
 
-/// See-through, so that a hundred lines do not hide what they join.
+/// Draws transparent lines, so that a hundred of them do not hide what they join.
 void draw_lines(const std::vector<Ends>& ends, cv::Mat& picture) {
   constexpr double kOpacity = 0.55;
   cv::Mat lines = picture.clone();
@@ -99,7 +99,7 @@ void draw_points(const std::vector<Ends>& ends, cv::Mat& picture) {
 }
 
 constexpr const char* kFolder = "loops";
-constexpr int kWidth = 900;       // [px]; with that of a Kinect's images a file is 1 MB
+constexpr int kWidth = 900;       // [px]; a file of two Kinect images is 1 MB then
 constexpr int kJpegQuality = 80;  // 60 to 90 kB a picture
 
 std::string_view verdict_of(const LoopCandidate& candidate) {
@@ -114,7 +114,7 @@ std::string encoded(const char* format, const cv::Mat& image, const std::vector<
   return {bytes.begin(), bytes.end()};
 }
 
-/// Indices of those of which a picture is made.
+/// Returns the indices of the candidates whose pictures are drawn.
 std::vector<std::size_t> pictured(const std::vector<LoopCandidate>& candidates,
                                   LoopPictures which) {
   std::vector<std::size_t> indices;
@@ -126,7 +126,7 @@ std::vector<std::size_t> pictured(const std::vector<LoopCandidate>& candidates,
   return indices;
 }
 
-/// Those of the indices that a page shows.
+/// Returns the indices of the candidates that the page shows.
 std::set<std::size_t> chosen(const std::vector<LoopCandidate>& candidates,
                              std::vector<std::size_t> indices, std::size_t max_count) {
   std::stable_sort(indices.begin(), indices.end(), [&](std::size_t i, std::size_t j) {
@@ -139,7 +139,8 @@ std::set<std::size_t> chosen(const std::vector<LoopCandidate>& candidates,
   return {indices.begin(), indices.end()};
 }
 
-/// The colour images of a sequence, of which the newer one of a pair is often the next pair's too.
+/// Reads the colour images of pairs. The newer image of a pair is kept, because the next pair often
+/// needs it again.
 class ColorImages {
  public:
   ColorImages(const Dataset& data, std::vector<std::string>& notes) : data_(data), notes_(notes) {}
@@ -216,7 +217,7 @@ LoopGallery write_loop_pictures(const std::filesystem::path& folder, const Datas
 void remove_loop_pictures(const std::filesystem::path& folder) {
   const auto loops = folder / kFolder;
   std::error_code ignored;
-  // A link would lead to a folder that is not the run's.
+  // A link would lead to a folder that does not belong to the run.
   if (!std::filesystem::is_directory(std::filesystem::symlink_status(loops, ignored))) return;
   std::vector<std::filesystem::path> pictures;
   bool has_others = false;

@@ -77,7 +77,7 @@ double thread_cpu_seconds() {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
-/// The CPU time that a call takes in this thread [s].
+/// Returns the CPU time of a call in this thread [s].
 template <typename Call>
 double cpu_time_of(const Call& call) {
   const double start = thread_cpu_seconds();
@@ -90,12 +90,12 @@ std::optional<EvaluationReport> evaluation_of(const std::vector<StampedPose>& re
   if (reference.empty()) return std::nullopt;
   try {
     return evaluate(reference, poses);
-  } catch (const DataError&) {  // nothing of the reference is of these frames' time
+  } catch (const DataError&) {  // the reference covers another time
     return std::nullopt;
   }
 }
 
-/// A system on its way through a sequence.
+/// One system while it runs through a sequence.
 class Run {
  public:
   explicit Run(const Contestant& contestant) : system_(contestant.system.get()) {
@@ -124,7 +124,7 @@ class Run {
   }
 
  private:
-  OdometrySystem* system_;  // null where it is not built in
+  OdometrySystem* system_;  // null if it is not built in
   ContestantResult result_;
   std::vector<double> cpu_;  // [s]
 };

@@ -20,7 +20,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Samples of a curve over t / unit; where it leaves [-limit, limit] it is broken.
+/// Samples a curve over t / unit; the line is broken where it leaves [-limit, limit].
 template <typename Curve>
 Series sampled(double begin, double end, double unit, double limit, const Curve& curve) {
   constexpr int kSamples = 80;
@@ -34,7 +34,7 @@ Series sampled(double begin, double end, double unit, double limit, const Curve&
   return series;
 }
 
-/// How an expansion is drawn.
+/// The style of the line of an expansion.
 struct ExpansionStyle {
   int order;
   const char* name;
@@ -49,7 +49,7 @@ constexpr std::array kExpansions = {
 void add_curves(const StepCurve& curve, double begin, double end, double unit,
                 std::vector<Series>& series) {
   const auto exact = [&](double t) { return curve.exact(t); };
-  // Expansions leave the picture where they have left the curve.
+  // The line of an expansion ends where it is far from the curve.
   const double limit =
       1.6 * std::max({std::abs(exact(begin)), std::abs(exact(end)), exact(curve.step(4))});
   const auto add = [&](Series line, const char* label, Color color, double width) {
@@ -66,7 +66,7 @@ void add_curves(const StepCurve& curve, double begin, double end, double unit,
   }
 }
 
-/// The steps that the expansions choose, on the exact curve.
+/// Adds the steps that the expansions choose, on the exact curve.
 void add_steps(const StepCurve& curve, double unit, std::vector<Series>& series) {
   constexpr double kRadius = 6;  // [px]
   for (const ExpansionStyle& style : kExpansions) {
@@ -83,7 +83,7 @@ void add_steps(const StepCurve& curve, double unit, std::vector<Series>& series)
 constexpr Color kColorOfA = kBlue;
 constexpr Color kColorOfB = kOrange;
 
-/// Shades of one colour from dark to light, as the point was.
+/// Replaces the colours of points by shades of one colour with the same brightness.
 void tint(std::vector<MapPoint>& points, Color color) {
   for (MapPoint& point : points) {
     const auto& [red, green, blue] = point.color;
@@ -98,7 +98,7 @@ void tint(std::vector<MapPoint>& points, Color color) {
   }
 }
 
-/// What a frame saw, in one colour.
+/// Returns the surface that a frame saw, in shades of one colour.
 std::vector<MapPoint> surface_of(const RgbdFrame& frame, const Camera& camera, const SE3& T_a_frame,
                                  Color color) {
   FusionOptions options;
@@ -119,7 +119,7 @@ double median_depth(const PointCloud& cloud) {
   return *middle;
 }
 
-/// From the right of camera a and above it: so that depth is seen too.
+/// Returns a view from the right of camera a and above it, which also shows depth.
 render::View view_beside(const FramePair& pair, double depth) {
   constexpr double kWidth = 880;  // [px]
   constexpr double kAzimuth = -18 * std::numbers::pi / 180;
@@ -159,8 +159,8 @@ Panel surface_panel(const std::string& title, const FramePair& pair, const SE3& 
   return panel;
 }
 
-/// The pixels of a's image at which points are, `T_a_points` moves them there; where one is behind
-/// the camera it is its own.
+/// Returns the pixels at which points appear in the image of a; a point behind the camera keeps its
+/// own pixel.
 std::vector<Eigen::Vector2d> pixels_in_a(const PointCloud& points, const SE3& T_a_points,
                                          const PinholeCamera& camera) {
   std::vector<Eigen::Vector2d> pixels;
@@ -172,7 +172,8 @@ std::vector<Eigen::Vector2d> pixels_in_a(const PointCloud& points, const SE3& T_
   return pixels;
 }
 
-/// Both clouds in the order in which a saw what they are registered to: that of the diagonal.
+/// Draws the kernel matrix with both clouds in the order of the pixels of a, so that matching
+/// points are near the diagonal.
 Panel sparsity_panel(const FramePair& pair, const FrameRegistration& registration, const SE3& T_a_b,
                      const CloudSimilarity& similarity, const KernelOptions& kernel) {
   constexpr int kSide = 600;  // [px]
@@ -227,7 +228,7 @@ Figure step_figure(const StepCurve& curve) {
   panel.y_label = "G(t) = F(h exp(t xi)) - F(h)";
   if (!curve.has_slope()) return figure;
   const double longest = std::max(curve.step(2), curve.step(4));
-  // The flow's time is far below 1: counted in a power of ten.
+  // The time of the flow is far below 1, and is given in a power of ten.
   const double power = std::floor(std::log10(longest));
   panel.x_label = fmt::format("t [1e{:.0f}]", power);
   add_curves(curve, -0.4 * longest, 1.6 * longest, std::pow(10, power), panel.series);

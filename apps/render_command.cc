@@ -169,9 +169,10 @@ void add_view_options(Command& command, RenderArguments& arguments) {
            "Draw n pictures once around, out_0000.png and so on; with --view follow along the "
            "trajectory")
       .in_range(1, 10000);
-  command.add("--video", &arguments.video,
-              "Write the same pictures as a video, Motion JPEG in a .avi file, 25 pictures a second "
-              "(default 120 pictures)");
+  command.add(
+      "--video", &arguments.video,
+      "Write the same pictures as a video, Motion JPEG in a .avi file, 25 pictures a second "
+      "(default 120 pictures)");
 }
 
 void add_options(Command& command, RenderArguments& arguments) {
@@ -188,8 +189,7 @@ void add_options(Command& command, RenderArguments& arguments) {
       "--color", &arguments.color,
       {{"time", PathColor::kTime}, {"error", PathColor::kError}, {"plain", PathColor::kPlain}},
       "time, error (needs --reference) or plain: the colours of the trajectory (default time)");
-  command
-      .add("--up", &arguments.up, "Up direction of the world: auto, x, y, z, -x, -y or -z")
+  command.add("--up", &arguments.up, "Up direction of the world: auto, x, y, z, -x, -y or -z")
       .one_of({"auto", "x", "y", "z", "-x", "-y", "-z"})
       .show_default();
   command.add_choice("--backend", &arguments.renderer, render::renderer_names(),

@@ -49,13 +49,13 @@ Json json_of(const RelativeEvaluation& relative) {
 Json json_of(const EvaluationReport& report) {
   const auto& association = report.options.association;
   Json json = {{"reference_poses", report.reference_poses},
-                                 {"estimate_poses", report.estimate_poses},
-                                 {"matches", report.matches},
-                                 {"coverage", report.coverage},
-                                 {"interpolate", association.interpolate},
-                                 {"max_difference_s", association.max_difference},
-                                 {"time_offset_s", association.time_offset},
-                                 {"alignment", name_of(report.options.alignment)}};
+               {"estimate_poses", report.estimate_poses},
+               {"matches", report.matches},
+               {"coverage", report.coverage},
+               {"interpolate", association.interpolate},
+               {"max_difference_s", association.max_difference},
+               {"time_offset_s", association.time_offset},
+               {"alignment", name_of(report.options.alignment)}};
   json["scale"] = report.ate ? Json(report.ate->alignment.scale) : nullptr;
   json["ate"] = report.ate ? json_of(report.ate->statistics) : nullptr;
   json["rpe"] = Json::array();
@@ -85,10 +85,10 @@ Json json_of(const ContestantResult& result) {
 
 Json json_of(const Dataset& data, const OdometryBenchmark& benchmark) {
   Json json = {
-      {"sequence", data.name()},      {"kind", data.kind()},
-      {"camera", data.camera().name}, {"begin", benchmark.frames.begin},
-      {"end", benchmark.frames.end},  {"step", benchmark.frames.step},
-      {"protocol", benchmark_protocol()},       {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
+      {"sequence", data.name()},          {"kind", data.kind()},
+      {"camera", data.camera().name},     {"begin", benchmark.frames.begin},
+      {"end", benchmark.frames.end},      {"step", benchmark.frames.step},
+      {"protocol", benchmark_protocol()}, {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
   json["systems"] = Json::array();
   for (const auto& result : benchmark.results) json["systems"].push_back(json_of(result));
   return json;
@@ -142,7 +142,7 @@ Json json_of(const FramePair& pair, const FrameRegistration& registration) {
                      {"rotation_deg", error.angle() * kDegrees}};
   }
   json["status"] = word_of(result.status);
-  json["doubt"] = registration.doubt;
+  json["doubt"] = registration.rejection;
   json["iterations"] = result.iterations;
   json["points_a"] = registration.points_a.size();
   json["points_b"] = registration.points_b.size();
@@ -188,7 +188,7 @@ Json json_of(const RunMap& run_map) {
           {"renderer", run_map.renderer}};
 }
 
-/// An option's text as a number, a truth value or a list where it is one.
+/// Returns the text of an option as a number, a truth value or a list if it is one.
 Json json_of(const std::string& text) {
   auto json = Json::parse(text, nullptr, false);
   return json.is_discarded() ? Json(text) : json;
@@ -202,31 +202,30 @@ Json options_json(ProgramOptions options) {
 
 Json json_of(const RunReport& report) {
   const OdometryRun& run = report.run;
-  Json json = {
-      {"sequence", report.data.name()},
-      {"kind", report.data.kind()},
-      {"camera", report.data.camera().name},
-      {"mode", report.mode},
-      {"version", CVO_SLAM_VERSION},
-      {"interrupted", run.interrupted},
-      {"frames",
-       {{"first", report.range.begin},
-        {"end", report.range.end},
-        {"step", report.range.step},
-        {"processed", run.records.size()},
-        {"tracked", report.trajectory.poses.size()},
-        {"lost", report.trajectory.lost.size()},
-        {"keyframes", run.keyframes()}}},
-      {"unpaired",
-       {{"color", report.data.unpaired().color}, {"depth", report.data.unpaired().depth}}},
-      {"path_m", path_length(report.trajectory.poses)},
-      {"cost",
-       {{"fps", run.fps()},
-        {"wall_s", run.seconds},
-        {"cpu_s", run.cpu_seconds},
-        {"read_ms_median", median_cost(run, &FrameCost::read_ms)},
-        {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
-        {"peak_memory_mb", run.peak_memory_mb}}}};
+  Json json = {{"sequence", report.data.name()},
+               {"kind", report.data.kind()},
+               {"camera", report.data.camera().name},
+               {"mode", report.mode},
+               {"version", CVO_SLAM_VERSION},
+               {"interrupted", run.interrupted},
+               {"frames",
+                {{"first", report.range.begin},
+                 {"end", report.range.end},
+                 {"step", report.range.step},
+                 {"processed", run.records.size()},
+                 {"tracked", report.trajectory.poses.size()},
+                 {"lost", report.trajectory.lost.size()},
+                 {"keyframes", run.keyframes()}}},
+               {"unpaired",
+                {{"color", report.data.unpaired().color}, {"depth", report.data.unpaired().depth}}},
+               {"path_m", path_length(report.trajectory.poses)},
+               {"cost",
+                {{"fps", run.fps()},
+                 {"wall_s", run.seconds},
+                 {"cpu_s", run.cpu_seconds},
+                 {"read_ms_median", median_cost(run, &FrameCost::read_ms)},
+                 {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
+                 {"peak_memory_mb", run.peak_memory_mb}}}};
   if (report.graph) json["graph"] = json_of(*report.graph);
   json["map"] = json_of(report.map);
   json["evaluation"] = report.evaluation ? json_of(*report.evaluation) : nullptr;

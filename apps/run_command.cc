@@ -147,9 +147,10 @@ void add_run_command(CLI::App& app, Action& action) {
            "recognise places and close loops")
       .one_of({"odometry", "graph", "slam"})
       .show_default();
-  command.add("--vocabulary", &arguments->vocabulary,
-              "Vocabulary file for --mode slam, ours or the text format of ORB-SLAM (default: built "
-              "in)");
+  command.add(
+      "--vocabulary", &arguments->vocabulary,
+      "Vocabulary file for --mode slam, ours or the text format of ORB-SLAM (default: built "
+      "in)");
   command.add("--out", &arguments->out,
               "Folder for the files (default results/<sequence>/<time>, linked as latest)");
   command

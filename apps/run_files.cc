@@ -21,23 +21,23 @@ namespace {
 constexpr std::array kFiles = {
     RunFile{"report.html", "this page"},
     RunFile{"report.json", "all figures, for programs"},
-    RunFile{"trajectory.txt", "the camera's path, TUM format, lost frames as comments"},
-    RunFile{"trajectory_online.txt", "what was known of each frame at its time"},
-    RunFile{"frames.csv", "a line a frame: status, reason, overlap, iterations, time"},
-    RunFile{"loops.csv", "a line a candidate for a constraint: scores, verdict, reason"},
+    RunFile{"trajectory.txt", "the path of the camera, TUM format, lost frames as comments"},
+    RunFile{"trajectory_online.txt", "the pose of each frame as it was known at its time"},
+    RunFile{"frames.csv", "one line for each frame: status, reason, overlap, iterations, time"},
+    RunFile{"loops.csv", "one line for each loop candidate: scores, verdict, reason"},
     RunFile{"keyframes.txt", "poses of the keyframes, TUM format"},
     RunFile{"graph.g2o", "the pose graph"},
     RunFile{"edges.txt", "the kinds of the graph's edges"},
-    RunFile{"map.ply", "the map's points with colours and normals"},
+    RunFile{"map.ply", "the points of the map with colours and normals"},
     RunFile{"map.png", "the map with the path"},
-    RunFile{"trajectory.png", "the path from above, in front and aside"},
-    RunFile{"trajectory.svg", "the same by its lines"},
+    RunFile{"trajectory.png", "the path from above, from the front and from the side"},
+    RunFile{"trajectory.svg", "the same as vector graphics"},
     RunFile{"errors.png", "errors over time"},
-    RunFile{"errors.svg", "the same by its lines"},
+    RunFile{"errors.svg", "the same as vector graphics"},
     RunFile{"config.yaml", "the options of this run, for --config"},
 };
 
-/// What track() answered at the time, of all segments.
+/// Returns the poses that track() returned at the time, of all submaps.
 Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
   Trajectory trajectory;
   for (const auto& record : records) {
@@ -64,7 +64,7 @@ void remove_run(const std::filesystem::path& folder) {
   for (const RunFile& run_file : kFiles) {
     const auto file = folder / run_file.name;
     std::error_code ignored;
-    // A folder of that name is not a run's.
+    // A folder of that name does not belong to a run.
     if (std::filesystem::is_directory(std::filesystem::symlink_status(file, ignored))) continue;
     remove_file(file);
   }

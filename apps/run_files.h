@@ -22,8 +22,8 @@ struct RunFile {
 /// next run; other files stay. Throws OutputError.
 void remove_run(const std::filesystem::path& folder);
 
-/// Writes every file of a run into `folder`, which exists. Adds to the report's notes what a picture
-/// lacks. Throws OutputError.
+/// Writes every file of a run into `folder`, which exists. Adds to the report's notes what a
+/// picture lacks. Throws OutputError.
 void write_run(const std::filesystem::path& folder, RunReport& report);
 
 }  // namespace cvo_slam

@@ -26,7 +26,7 @@ std::vector<StampedPose> graph_keyframes(const GraphResult& graph) {
   return keyframes;
 }
 
-/// Of the tracker alone: the frames that became keyframes, where the trajectory has them.
+/// Returns the poses of the frames that became keyframes, in mode odometry.
 std::vector<StampedPose> tracked_keyframes(const OdometryRun& run,
                                            const std::map<Timestamp, SE3>& poses) {
   std::vector<StampedPose> keyframes;
@@ -38,7 +38,7 @@ std::vector<StampedPose> tracked_keyframes(const OdometryRun& run,
   return keyframes;
 }
 
-/// The scene of the map and the path in it.
+/// Makes a scene of the map, the path and the reference.
 render::Scene make_run_scene(const Map& map, const Trajectory& trajectory,
                              const std::vector<StampedPose>& reference,
                              std::vector<std::string>& notes) {
@@ -53,7 +53,7 @@ render::Scene make_run_scene(const Map& map, const Trajectory& trajectory,
   return scene;
 }
 
-/// Smaller than what `cvo_slam render` draws, because every run pays for it.
+/// Smaller than the pictures of `cvo_slam render`, because every run pays for it.
 constexpr render::ViewOptions kView = {.width = 1280, .height = 720};
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Empty where the frame was not registered at all, as the first one.
+/// Returns an empty word if the frame was not registered at all, as the first one.
 std::string_view registration_word(const RegistrationResult& result) {
   switch (result.status) {
     case RegistrationStatus::kConverged:

@@ -9,37 +9,37 @@
 
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/loop_pictures.h"
-#include "cvo_slam/apps/sequence_run.h"
 #include "cvo_slam/apps/run_map.h"
+#include "cvo_slam/apps/sequence_run.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 
 namespace cvo_slam {
 
-/// All that a run leaves behind.
+/// All results of a run.
 struct RunReport {
   const Dataset& data;
   FrameRange range;
   ProgramOptions options;
   std::string mode;
   OdometryRun run;
-  std::optional<GraphResult> graph;  ///< of the modes that have one
+  std::optional<GraphResult> graph;  ///< empty in mode odometry
   RunMap map;
   Trajectory trajectory;
   std::optional<EvaluationReport> evaluation;
   std::vector<std::string> notes;
   LoopPictures loop_pictures = LoopPictures::kAccepted;
 
-  /// Frames without a pose in the trajectory by all frames.
+  /// Returns the share of frames without a pose in the trajectory, 0 to 1.
   [[nodiscard]] double lost_share() const;
 };
 
-/// Median of a cost over the frames of a run [ms].
+/// Returns the median of a cost over the frames of a run [ms].
 [[nodiscard]] double median_cost(const OdometryRun& run, double FrameCost::*cost);
 
-/// The table at the end of a run.
+/// Returns the table at the end of a run.
 [[nodiscard]] std::string to_table(const RunReport& report);
 
-/// One line a frame.
+/// Returns the text of frames.csv: a header, and one line for each frame.
 [[nodiscard]] std::string frames_csv(const OdometryRun& run);
 
 }  // namespace cvo_slam

@@ -85,8 +85,8 @@ struct SlamRun {
   GraphResult graph;
 };
 
-/// Runs the frames of a range through the tracker alone. Ends early, with what there is, if the user
-/// interrupts (SIGINT) while an InterruptGuard lives.
+/// Runs the frames of a range through the tracker alone. Ends early, with what there is, if the
+/// user interrupts (SIGINT) while an InterruptGuard lives.
 [[nodiscard]] OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
                                        const TrackerOptions& options, const RunControl& control);
 

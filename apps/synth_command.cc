@@ -121,10 +121,8 @@ void add_synth_command(CLI::App& app, Action& action) {
               fmt::format("The world to record: a file (*.yaml, see docs/worlds.md) or one of {}",
                           fmt::join(synthetic::world_names(), ", ")));
   command.add("folder", &arguments->folder, "Folder for the sequence");
-  command.add("--dump-world", &arguments->dump,
-              "Write the world to this file, and record nothing");
-  command
-      .add("--path", &arguments->path, "How the camera moves; own = as the world says")
+  command.add("--dump-world", &arguments->dump, "Write the world to this file, and record nothing");
+  command.add("--path", &arguments->path, "How the camera moves; own = as the world says")
       .one_of(path_words())
       .show_default();
   command
@@ -133,7 +131,7 @@ void add_synth_command(CLI::App& app, Action& action) {
       .in_range(0.01, 100.0)
       .show_default();
   command.add("--frames", &arguments->frames,
-                  "Only the first n frames at the same speed (default: the whole path)");
+              "Only the first n frames at the same speed (default: the whole path)");
   command
       .add("--seed", &arguments->sequence.seed,
            "Seed of textures, clutter and the tremor of the hand and, with sensor.seed, of the "
@@ -147,19 +145,18 @@ void add_synth_command(CLI::App& app, Action& action) {
   command.add("--config", &arguments->config,
               "YAML file of the options of the sensor; --dump-config prints one");
   command
-      .add("--set", &arguments->settings,
-           "One option of the sensor as key=value; may be repeated")
+      .add("--set", &arguments->settings, "One option of the sensor as key=value; may be repeated")
       .one_value_each();
   command.add("--dump-config", &arguments->dump_config,
               "Print the options of the sensor as YAML with their documentation, and stop");
   command.add("--size", &arguments->size, "Size of the images, <width>x<height> [px]")
       .show_default();
-  command.add("--image", &arguments->image, "Format of colour images: png (exact) or jpeg (smaller)")
+  command
+      .add("--image", &arguments->image, "Format of colour images: png (exact) or jpeg (smaller)")
       .one_of({"png", "jpeg"})
       .show_default();
   command
-      .add("--threads", &arguments->threads,
-           "Number of threads; the result does not depend on it")
+      .add("--threads", &arguments->threads, "Number of threads; the result does not depend on it")
       .in_range(1, 1024)
       .show_default();
   command.on_parsed(action, [arguments] { return synth(*arguments); });

@@ -32,13 +32,11 @@ OptionSet describe(ProgramOptions& o) {
 }
 
 void OptionArguments::add_to(Command& command) {
-  command
-      .add("--preset", &preset, "Options to start from; paper = the protocol of the CVO paper")
+  command.add("--preset", &preset, "Options to start from; paper = the protocol of the CVO paper")
       .one_of({"paper"});
   command.add("--config", &config, "YAML file of options; run --dump-config prints one");
   command.add("--set", &settings, "One option as key=value; may be repeated").one_value_each();
-  command
-      .add("--threads", &threads, "Threads of a registration; the result does not depend on it")
+  command.add("--threads", &threads, "Threads of a registration; the result does not depend on it")
       .in_range(1, 1024);
   command.add("--simd", &simd, "Instruction set to compute with")
       .one_of(simd_words())

@@ -26,6 +26,7 @@ struct ProgramOptions {
   FusionOptions map;
 };
 
+/// Returns the options with their keys and documentation.
 [[nodiscard]] OptionSet describe(ProgramOptions& options);
 
 /// The arguments that a command's options come from.

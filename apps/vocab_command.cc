@@ -48,7 +48,7 @@ void write_either(const std::filesystem::path& file, const Vocabulary& vocabular
   }
 }
 
-/// The descriptors of every image of all sources, in their order.
+/// Collects the descriptors of every image of all sources, in their order.
 class DescriptorCollector {
  public:
   explicit DescriptorCollector(const VocabArguments& arguments) : arguments_(arguments) {
@@ -153,8 +153,7 @@ void add_train(Command& parent, Action& action, const std::shared_ptr<VocabArgum
   command.add("--step", &a->thinning.step, "Use every n-th recorded image")
       .in_range(1, 1000000)
       .show_default();
-  command
-      .add("--rate", &a->thinning.synthetic_rate, "Images per second of a synthetic world [Hz]")
+  command.add("--rate", &a->thinning.synthetic_rate, "Images per second of a synthetic world [Hz]")
       .in_range(0.01, 100.0)
       .show_default();
   command.add("-k,--branching", &a->training.branching, "Number of children of a node")

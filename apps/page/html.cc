@@ -21,8 +21,8 @@ std::uint8_t byte_at(std::string_view text, std::size_t i) {
   return i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0;
 }
 
-/// How many bytes the character that begins here takes; 0 where none does. RFC 3629: no more bytes
-/// than needed, no surrogates, nothing above U+10FFFF.
+/// Returns the number of bytes of the character that begins here, or 0 if none does. RFC 3629: no
+/// more bytes than needed, no surrogates, nothing above U+10FFFF.
 std::size_t utf8_length(std::string_view text) {
   const std::uint8_t first = byte_at(text, 0);
   if (first < 0x80) return 1;

@@ -28,7 +28,7 @@ std::string map_picture(const RunReport& report, const cv::Mat& picture) {
   return html::figure(html::jpeg_image(picture, "The map with the camera's path"), caption);
 }
 
-/// The run's figure of that name, where it has one.
+/// Returns the figure of that name, or nothing if the run has none.
 std::string plot_named(const RunPictures& pictures, std::string_view name,
                        const std::string& caption) {
   for (const NamedFigure& named : pictures.figures) {
@@ -72,7 +72,7 @@ std::string error_table(const EvaluationReport& evaluation) {
 
 constexpr std::size_t kMostRows = 100;
 
-/// A figure of each registration over time; lines are broken where there was none.
+/// Plots a figure of each registration over time; the line is broken where there was none.
 Series over_time(const std::vector<FrameRecord>& records, double RegistrationResult::*value) {
   Series series;
   series.width = 1.2;
@@ -108,7 +108,7 @@ Figure tracking_figure(const std::vector<FrameRecord>& records) {
     figure.panels.push_back(std::move(panel));
   };
   add("Overlap with the keyframe", "share of points", &RegistrationResult::overlap);
-  add("Likeness of the two clouds", "cos_theta", &RegistrationResult::cos_theta);
+  add("Similarity of the two clouds", "cos_theta", &RegistrationResult::cos_theta);
   return figure;
 }
 
@@ -120,7 +120,7 @@ std::string frames_text(const LostSpan& span) {
 std::string lost_table(const RunReport& report) {
   const auto spans = lost_spans(report.run.records, report.trajectory.lost);
   if (spans.empty()) return html::paragraph("No frame was lost.");
-  html::Table table({{"frames"}, {"from [s]"}, {"how many", Cell::kNumber}, {"why"}});
+  html::Table table({{"frames"}, {"from [s]"}, {"number", Cell::kNumber}, {"reason"}});
   for (std::size_t i = 0; i < std::min(spans.size(), kMostRows); ++i) {
     table.add({frames_text(spans[i]), spans[i].stamp.to_string(), fmt::to_string(spans[i].count),
                spans[i].reason});
@@ -128,7 +128,7 @@ std::string lost_table(const RunReport& report) {
   std::string content = html::element("h3", "Lost frames") + table.content();
   if (spans.size() > kMostRows) {
     content += html::paragraph(
-        fmt::format("{} more such stretches are in frames.csv.", spans.size() - kMostRows));
+        fmt::format("{} more such intervals are in frames.csv.", spans.size() - kMostRows));
   }
   return content;
 }
@@ -158,8 +158,10 @@ std::string accuracy_section(const RunReport& report, const RunPictures& picture
   if (!report.evaluation) return {};
   const EvaluationReport& evaluation = *report.evaluation;
   const auto how = fmt::format(
-      "{} of {} poses have a partner in the ground truth; {} alignment. ATE is how far the path is "
-      "from the true one, RPE how far the motion over a stretch is from the true motion.",
+      "{} of {} poses have a match in the ground truth; {} alignment. ATE is the distance between "
+      "the "
+      "path and the true path, RPE the difference between the motion over an interval and the true "
+      "motion.",
       evaluation.matches, evaluation.estimate_poses, name_of(evaluation.options.alignment));
   return html::section(
       "accuracy", "Accuracy",
@@ -170,9 +172,10 @@ std::string accuracy_section(const RunReport& report, const RunPictures& picture
 std::string tracking_section(const RunReport& report) {
   std::string content;
   if (!report.run.records.empty()) {
-    content += plot(tracking_figure(report.run.records),
-                    "Each frame's registration to its keyframe. The overlap falls while the camera "
-                    "leaves a keyframe behind, and jumps where a new one is made.");
+    content +=
+        plot(tracking_figure(report.run.records),
+             "The registration of each frame to its keyframe. The overlap falls while the camera "
+             "moves away from a keyframe, and rises when a new one is made.");
   }
   return html::section("tracking", "Tracking", content + lost_table(report));
 }

@@ -95,7 +95,7 @@ footer { margin-top: 3rem; font-size: 0.85rem; color: var(--soft); }
 }
 )css";
 
-/// The policy keeps the promise that the page asks nobody for anything.
+/// Returns the head of the page. Its security policy forbids the page to load anything.
 std::string head(const std::string& title) {
   return fmt::format(
       "<head>\n<meta charset=\"utf-8\">\n"
@@ -132,7 +132,7 @@ std::string files_section(const std::filesystem::path& folder) {
   for (const RunFile& file : run_files()) {
     if (std::string_view(file.name) != "report.html") add(file.name, file.content);
   }
-  add("loops", "pictures of recognised places, a PNG each");
+  add("loops", "pictures of loop candidates, one PNG file each");
   return html::section("files", "Files", html::element("ul", items, R"(class="files")"));
 }
 

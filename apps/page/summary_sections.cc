@@ -19,7 +19,7 @@ namespace {
 
 using html::Cell;
 
-/// A figure to be seen from afar.
+/// Returns a figure in large print.
 std::string tile(std::string_view name, std::string_view value, std::string_view detail,
                  bool is_bad = false) {
   return html::element(
@@ -53,9 +53,9 @@ std::string error_tiles(const EvaluationReport& evaluation) {
 
 std::string graph_tiles(const GraphResult& graph) {
   const auto count = [&](EdgeKind kind) { return edges_of_kind(graph.graph, kind); };
-  return tile("Loops closed", fmt::to_string(count(EdgeKind::kLoop)), "places recognised") +
+  return tile("Loops closed", fmt::to_string(count(EdgeKind::kLoop)), "recognised places") +
          tile("Constraints", fmt::to_string(graph.graph.edges().size()),
-              fmt::format("{} of near keyframes", count(EdgeKind::kProximity)));
+              fmt::format("{} between near keyframes", count(EdgeKind::kProximity)));
 }
 
 std::string seconds(double value) { return fmt::format("{:.2f}", value); }
@@ -85,8 +85,8 @@ void add_graph_rows(const GraphStatistics& statistics, html::Table& table) {
 std::string headline(const RunReport& report) {
   std::string tiles = tracked_tile(report);
   if (report.evaluation) tiles += error_tiles(*report.evaluation);
-  tiles += tile("Path", length_text(path_length(report.trajectory.poses)), "camera travelled");
-  tiles += tile("Keyframes", fmt::to_string(report.run.keyframes()), "of the frames tracked");
+  tiles += tile("Path", length_text(path_length(report.trajectory.poses)), "length of the path");
+  tiles += tile("Keyframes", fmt::to_string(report.run.keyframes()), "of the tracked frames");
   if (report.graph) tiles += graph_tiles(*report.graph);
   return html::element("dl", tiles, R"(class="tiles")");
 }
@@ -96,7 +96,7 @@ std::string notes_section(const RunReport& report) {
   if (report.evaluation) {
     notes.insert(notes.end(), report.evaluation->notes.begin(), report.evaluation->notes.end());
   }
-  if (report.run.interrupted) notes.insert(notes.begin(), "interrupted: what there was until then");
+  if (report.run.interrupted) notes.insert(notes.begin(), "interrupted: results until then");
   if (notes.empty()) return {};
   std::string items;
   for (const std::string& note : notes) items += html::element("li", html::escaped(note));

@@ -132,10 +132,10 @@ TEST_F(AlignCommand, DrawsTheRegistrationAndTheStep) {
                           HasSubstr(">2nd order<"), HasSubstr(">4th order<")));
 }
 
-TEST_F(AlignCommand, AResultThatATrackerWouldNotBelieveHasItsExitCode) {
+TEST_F(AlignCommand, AResultThatATrackerWouldRejectHasItsExitCode) {
   const ProgramResult result = align({"0", "5", "--set", "tracker.lost.min_overlap=1"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.output, HasSubstr("doubtful       overlap 0."));
+  EXPECT_THAT(result.output, HasSubstr("rejected       overlap 0."));
 }
 
 TEST_F(AlignCommand, UnknownFramesAreAClearLine) {

@@ -179,8 +179,9 @@ TEST_F(OdometryBenchmarkTest, WithoutAReferenceTheTableHasNoErrors) {
 TEST_F(OdometryBenchmarkTest, ASystemThatIsNotBuiltInSaysSo) {
   const auto benchmark = run(nullptr);
   EXPECT_THAT(to_table(*sequence_.open(), benchmark), HasSubstr("| scripted | not built in |"));
-  EXPECT_EQ(nlohmann::json::parse(
-                json_text(*sequence_.open(), benchmark))["systems"][0]["built_in"], false);
+  EXPECT_EQ(
+      nlohmann::json::parse(json_text(*sequence_.open(), benchmark))["systems"][0]["built_in"],
+      false);
 }
 
 }  // namespace

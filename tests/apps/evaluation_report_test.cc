@@ -68,8 +68,8 @@ TEST(EvaluationReport, JsonHasUnitsInItsKeys) {
   const auto truth = line(3);
   auto estimate = line(3);
   estimate[1].T_world_camera = SE3(so3_exp({0, 0, 1}), {1, 2, 0});
-  const auto json = nlohmann::json::parse(
-      json_text(evaluate(truth, estimate, {.alignment = Alignment::kNone})));
+  const auto json =
+      nlohmann::json::parse(json_text(evaluate(truth, estimate, {.alignment = Alignment::kNone})));
   EXPECT_DOUBLE_EQ(json["ate"]["translation_m"]["max"].get<double>(), 2);
   // One radian.
   EXPECT_NEAR(json["ate"]["rotation_deg"]["max"].get<double>(), 57.29577951308232, 1e-12);

@@ -112,7 +112,7 @@ TEST_F(ReportPage, ShowsTheLoopsWithTheirImages) {
   ASSERT_GT(loops, 0U);
   EXPECT_EQ(count(html, "with their inlier matches\""), loops);
   EXPECT_EQ(count(html, "Accepted: CVO overlap"), loops);
-  EXPECT_THAT(html, HasSubstr(fmt::format("{} of places that were recognised (bow).", loops)));
+  EXPECT_THAT(html, HasSubstr(fmt::format("{} from recognised places (bow).", loops)));
   EXPECT_THAT(html, HasSubstr(fmt::format("<td>bow</td><td class=\"number\">{0}</td>", loops)));
 
   std::vector<std::string> options = kSlam;
@@ -164,7 +164,7 @@ TEST_F(ReportPage, OfARunThatNeverTrackedIsWhole) {
   EXPECT_EQ(run({"--mode", "slam"}), 3);
   EXPECT_THAT(page(),
               AllOf(HasSubstr("0 of 12 frames"), HasSubstr("<td>0 to 11</td>"),
-                    HasSubstr("No picture of the map"), HasSubstr("No loop was closed. With"),
+                    HasSubstr("No picture of the map"), HasSubstr("No loop was closed. The option"),
                     HasSubstr("no errors: "), HasSubstr("</html>")));
   EXPECT_THAT(page(), Not(HasSubstr("nan")));
 }

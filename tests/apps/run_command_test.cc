@@ -327,8 +327,8 @@ TEST_F(RunCommand, TheDefaultFolderHasALinkToTheLatest) {
 
 TEST_F(RunCommand, AnInterruptWritesWhatThereIs) {
   // The protocol of the paper takes seconds. The program is interrupted as soon as it has made its
-  // folder, which it does after it began to listen. A program that makes none is interrupted after a
-  // minute, and the test fails.
+  // folder, which it does after it began to listen. A program that makes none is interrupted after
+  // a minute, and the test fails.
   const auto out = folder_.path() / "out";
   const std::string command = fmt::format(
       "'{}' run '{}' --out '{}' --preset paper --quiet & for i in $(seq 6000); do "
@@ -338,7 +338,7 @@ TEST_F(RunCommand, AnInterruptWritesWhatThereIs) {
   EXPECT_EQ(WEXITSTATUS(status), 130);
   const auto report = nlohmann::json::parse(file("report.json"));
   EXPECT_TRUE(report["interrupted"]);
-  EXPECT_THAT(file("report.html"), HasSubstr("interrupted: what there was until then"));
+  EXPECT_THAT(file("report.html"), HasSubstr("interrupted: results until then"));
   EXPECT_LT(report["frames"]["processed"], kFrames);
 }
 

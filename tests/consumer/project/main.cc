@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A program of somebody else: it writes a trajectory into the folder it is given, reads it back, sees
-// the errors of the library as exceptions of its own, and asks the tracker. With an installed package
-// it also asks the loop detector and optimises a pose graph; as a subdirectory these libraries would
-// be compiled for this test alone.
+// A program of somebody else: it writes a trajectory into the folder it is given, reads it back,
+// sees the errors of the library as exceptions of its own, and asks the tracker. With an installed
+// package it also asks the loop detector and optimises a pose graph; as a subdirectory these
+// libraries would be compiled for this test alone.
 #include <filesystem>
 #include <iostream>
 #include <numbers>
