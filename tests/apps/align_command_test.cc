@@ -59,7 +59,7 @@ TEST_F(AlignCommand, FindsTheMotionBetweenTwoFrames) {
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   const auto found = json["T_a_b"]["translation_m"].get<std::vector<double>>();
-  // Of the images' 160 pixels one is 4 mm at a metre; not finding the motion leaves all of it.
+  // One of the 160 pixels is 4 mm wide at a metre. If the motion is not found, all of it is error.
   EXPECT_LT(json["error"]["translation_m"], 0.3 * std::hypot(found[0], found[1], found[2]));
   EXPECT_GT(json["after"]["cos_theta"], json["before"]["cos_theta"]);
   EXPECT_GT(json["after"]["inner_product"], json["before"]["inner_product"]);
@@ -166,7 +166,7 @@ TEST_F(AlignCommand, ImageFilesThatCannotBeUsedAreAClearLine) {
   expect_error(run_program({"align", a[0], a[1], b[0], b[1]}), 2, "name it with --camera");
   expect_error(align_images(a, a, camera), 2, "is the colour image of both frames");
   expect_error(align_images(a, {b[0], "/none.png"}, camera), 2, "/none.png");
-  // Depth and colour exchanged.
+  // Depth and colour are exchanged.
   expect_error(align_images({a[1], a[0]}, b, camera), 2, "a colour image must have 8 bits");
   expect_error(align_images(a, b, "no_camera"), 2, "no_camera");
 }
@@ -177,7 +177,7 @@ TEST_F(AlignCommand, AnUnwritableFolderIsKnownBeforeTheWork) {
 }
 
 TEST_F(AlignCommand, ViewsThatShareNothingAreAnError) {
-  // The second camera stands in another room: its depth is 4 m everywhere, the room's half of it.
+  // The depth of the second frame is twice that of the room: the frames show different surfaces.
   cv::Mat far = cv::imread(images(1)[1], cv::IMREAD_UNCHANGED);
   far = 2 * far;
   cv::imwrite(images(1)[1], far);

@@ -42,7 +42,7 @@ TEST_F(BenchCommand, ComparesAllSystemsOnAllFrames) {
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   std::vector<std::string> names;
-  // What standing still would get: the length of the motion between two frames.
+  // The error of a system that stands still: the length of the motion between two frames.
   const double step = path_length(read_tum(sequence_ / "groundtruth.txt")) / 5;
   for (const auto& system : json["systems"]) {
     SCOPED_TRACE(system["name"]);
@@ -132,7 +132,7 @@ TEST(BenchCommandLine, AsksForTheComparison) {
   EXPECT_THAT(result.errors, HasSubstr("a command is required: odometry"));
 }
 
-/// Answers with what it was given, frame by frame.
+/// Returns the given poses, one for each frame.
 class ScriptedSystem final : public OdometrySystem {
  public:
   explicit ScriptedSystem(std::vector<std::optional<SE3>> answers) : answers_(std::move(answers)) {}

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// A program like ours: a command with options, one with commands of its own.
+/// A program like ours, with a command that has options and one that has commands of its own.
 class Usage : public testing::Test {
  protected:
   Usage() {

@@ -31,7 +31,7 @@ TEST(EvaluationReport, HasDriftOverASecondAndFrameToFrameByDefault) {
 TEST(EvaluationReport, CoverageIsTheMatchedShare) {
   auto reference = helix(40);
   reference.resize(10);
-  // The estimate goes on where the reference ends: of the reference, with fewer poses, all match.
+  // The estimate goes on after the end of the reference, which has fewer poses: all of them match.
   EXPECT_DOUBLE_EQ(evaluate(reference, helix(40)).coverage, 1);
   EXPECT_DOUBLE_EQ(evaluate(reference, helix(40), {.association = {.interpolate = true}}).coverage,
                    0.25);
@@ -46,7 +46,7 @@ TEST(EvaluationReport, SimilarityScalesTheRelativeErrorToo) {
 }
 
 TEST(EvaluationReport, LeavesOutWhatDoesNotExistAndSaysWhy) {
-  // Half a second on a straight line: no unique alignment, no second.
+  // Half a second on a straight line has no unique alignment and no pair that is a second apart.
   const auto report = evaluate(line(5), line(5));
   EXPECT_FALSE(report.ate);
   EXPECT_FALSE(report.relative[0].error);
@@ -71,7 +71,7 @@ TEST(EvaluationReport, JsonHasUnitsInItsKeys) {
   const auto json =
       nlohmann::json::parse(json_text(evaluate(truth, estimate, {.alignment = Alignment::kNone})));
   EXPECT_DOUBLE_EQ(json["ate"]["translation_m"]["max"].get<double>(), 2);
-  // One radian.
+  // The estimate is turned by one radian.
   EXPECT_NEAR(json["ate"]["rotation_deg"]["max"].get<double>(), 57.29577951308232, 1e-12);
   EXPECT_EQ(json["rpe"][1]["unit"], "frames");
   EXPECT_EQ(json["alignment"], "none");

@@ -23,7 +23,7 @@ Action parse(const std::string& arguments) {
   return action;
 }
 
-/// What `cvo_slam info <arguments>` prints.
+/// Returns what `cvo_slam info <arguments>` prints.
 std::string info(const std::string& arguments) {
   const Action action = parse(arguments);
   testing::internal::CaptureStdout();

@@ -18,7 +18,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// A terminal in the place of stderr as long as it lives.
+/// Replaces stderr by a terminal for as long as it lives.
 class TerminalStderr {
  public:
   TerminalStderr() : terminal_(posix_openpt(O_RDWR | O_NOCTTY)), stderr_(dup(STDERR_FILENO)) {
@@ -36,7 +36,7 @@ class TerminalStderr {
   TerminalStderr(const TerminalStderr&) = delete;
   TerminalStderr& operator=(const TerminalStderr&) = delete;
 
-  /// What was written to it since the last call, which must be something.
+  /// Returns what was written since the last call; waits for ever if nothing was.
   [[nodiscard]] std::string text() const {
     std::array<char, 4096> buffer{};
     const auto size = read(terminal_, buffer.data(), buffer.size());

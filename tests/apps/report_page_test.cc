@@ -31,7 +31,7 @@ using testing::StartsWith;
 
 constexpr std::size_t kFrames = 12;
 
-/// Every frame a keyframe, and all that is joined is recognised.
+/// Every frame becomes a keyframe, and only place recognition adds edges.
 const std::vector<std::string> kSlam = {"--mode", "slam",
                                         "--set",  "tracker.keyframe.max_translation=0.01",
                                         "--set",  "tracker.keyframe.max_rotation=0.01",
@@ -97,7 +97,7 @@ TEST_F(ReportPage, NeedsNothingButItself) {
   const std::regex outside(
       R"~(<script|@import|url\(|src="(?!data:)|href="(https?:|//)|<iframe| on\w+=")~");
   EXPECT_FALSE(std::regex_search(html, outside));
-  // What a link leads to is there.
+  // The target of every link exists.
   const std::regex link("<a href=\"([^\"]+)\"");
   for (std::sregex_iterator i(html.begin(), html.end(), link), end; i != end; ++i) {
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / i->str(1))) << i->str(1);
@@ -196,7 +196,7 @@ TEST_F(ReportPage, ThatCannotBeWrittenIsAnErrorAfterTheFigures) {
   EXPECT_THAT(result.output, HasSubstr("ATE"));
 }
 
-/// The browser, or nothing where there is none.
+/// Returns the name of the browser, or nothing if there is none.
 std::optional<std::string> find_chromium() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
     if (std::system(fmt::format("command -v {} >/dev/null", name).c_str()) == 0) return name;
@@ -212,7 +212,7 @@ class ReportInABrowser : public ReportPage {
       GTEST_SKIP() << "no chromium on this machine; on Debian: apt-get install chromium";
   }
 
-  /// Opens a page and answers what the browser logs. An option says what to make of the page.
+  /// Opens a page and returns the log of the browser. The option says what to make of the page.
   [[nodiscard]] std::string open(const std::filesystem::path& html,
                                  const std::string& option) const {
     const auto log = folder_.path() / "browser.log";
@@ -236,7 +236,7 @@ class ReportInABrowser : public ReportPage {
   std::optional<std::string> browser_;
 };
 
-// So that the silence of the other tests means something.
+// Without this test an empty log in the others would prove nothing.
 TEST_F(ReportInABrowser, AnErrorOnTheConsoleWouldBeSeen) {
   const auto bad = folder_.write("bad.html", "<!DOCTYPE html><script>nonsense()</script>");
   const auto png = folder_.path() / "bad.png";

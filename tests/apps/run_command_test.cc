@@ -92,7 +92,8 @@ TEST_F(RunCommand, TheMapIsOfTheKeyframesAndCanBeLeftOut) {
   EXPECT_EQ(report["map"]["keyframes"], report["frames"]["keyframes"]);
   const Map map = read_map(folder_.path() / "out");
   EXPECT_EQ(map.points.size(), report["map"]["points"]);
-  // A single view of 160x120 pixels has a ninth as many samples, two or more a point.
+  // Every third pixel of a 160x120 image in each direction is a sample, and a point has two or
+  // more.
   EXPECT_GT(map.points.size(), 200U);
   // The room is 5 m long (docs/worlds.md), and the map is in the first camera's frame.
   for (const MapPoint& point : map.points) EXPECT_LT(point.position.norm(), 6);
@@ -313,7 +314,7 @@ TEST_F(RunCommand, AnUnwritableFolderIsSaidBeforeTheWork) {
 TEST_F(RunCommand, TheDefaultFolderHasALinkToTheLatest) {
   const auto here = std::filesystem::current_path();
   std::filesystem::current_path(folder_.path());
-  // So quick that most of them fall into the same second.
+  // The runs are so short that most of them fall into the same second.
   for (int i = 0; i < 4; ++i) {
     const auto result = run_program({"run", sequence_, "--quiet", "--frames", "0:2"});
     EXPECT_EQ(result.exit_code, 0) << result.errors;
@@ -343,7 +344,7 @@ TEST_F(RunCommand, AnInterruptWritesWhatThereIs) {
 }
 
 TEST(DefaultConfiguration, FileIsWhatTheProgramPrints) {
-  // Where this fails: build/release/cvo_slam run --dump-config > config/default.yaml
+  // To update the file: build/release/cvo_slam run --dump-config > config/default.yaml
   EXPECT_EQ(read_text(std::filesystem::path(CVO_SLAM_SOURCE_DIR) / "config" / "default.yaml"),
             run_program({"run", "--dump-config"}).output);
 }
