@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <unistd.h>
 
 namespace cvo_slam {
@@ -36,8 +37,10 @@ class TerminalStderr {
   TerminalStderr(const TerminalStderr&) = delete;
   TerminalStderr& operator=(const TerminalStderr&) = delete;
 
-  /// Returns what was written since the last call; waits for ever if nothing was.
+  /// Returns what was written since the last call; waits up to ten seconds for it.
   [[nodiscard]] std::string text() const {
+    pollfd written{terminal_, POLLIN, 0};
+    if (poll(&written, 1, 10'000) != 1) return {};
     std::array<char, 4096> buffer{};
     const auto size = read(terminal_, buffer.data(), buffer.size());
     return {buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
