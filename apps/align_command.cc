@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/frame_pair.h"
 #include "cvo_slam/apps/frame_registration.h"
 #include "cvo_slam/apps/registration_plots.h"
+#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/files.h"
 
@@ -28,38 +29,35 @@ struct AlignArguments {
 int align_frames(const AlignArguments& arguments) {
   const TrackerOptions options = arguments.options.options().tracker;
   const FramePair pair = read_frame_pair(arguments.inputs, arguments.camera);
-  // Before the work, so that an unusable folder is known at once.
+  // Made before the work, so that an unusable folder is reported at once.
   if (!arguments.plot.empty()) make_folder(arguments.plot);
   const FrameRegistration registration = register_frames(pair, options);
   if (!arguments.plot.empty()) {
     write_registration_plots(arguments.plot, pair, registration, options.registration);
   }
-  fmt::print("{}", arguments.json ? to_json(pair, registration).dump(2) + "\n"
-                                  : to_table(pair, registration));
-  return registration.doubt.empty() ? kDone : kTrackingLost;
+  fmt::print("{}",
+             arguments.json ? json_text(pair, registration) + "\n" : to_table(pair, registration));
+  return registration.rejection.empty() ? kDone : kTrackingLost;
 }
 
 }  // namespace
 
 void add_align_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<AlignArguments>();
-  auto* command = app.add_subcommand(
-      "align", "Register two frames: the motion between them, and how sure it is");
+  Command command(app, "align", "Register two frames: the motion between them and its uncertainty");
   command
-      ->add_option("inputs", arguments->inputs,
-                   "Folder of a sequence and two of its frames, each a number or a stamp (with a "
-                   "point); or four images: colour and depth of a, colour and depth of b")
-      ->required();
-  command->add_option("--camera", arguments->camera,
-                      "Camera file, or name of a built-in camera (default: the sequence's own)");
-  arguments->options.add_to(*command);
-  command->add_option("--plot", arguments->plot,
-                      "Folder for pictures (png and svg): registration, both frames before and "
-                      "after beside the kernel matrix; step, the objective along the flow's first "
-                      "step");
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  command->callback(
-      [&action, arguments] { action = [arguments] { return align_frames(*arguments); }; });
+      .add("inputs", &arguments->inputs,
+           "Folder of a sequence and two of its frames, each a number or a stamp (with a point); "
+           "or four images: colour and depth of a, colour and depth of b")
+      .required();
+  command.add("--camera", &arguments->camera,
+              "Camera file, or name of a built-in camera (default: the camera of the sequence)");
+  arguments->options.add_to(command);
+  command.add("--plot", &arguments->plot,
+              "Folder for pictures (PNG and SVG): registration shows both frames before and after "
+              "beside the kernel matrix, step the objective along the first step of the flow");
+  command.add("--json", &arguments->json, "Print one JSON object instead of a table");
+  command.on_parsed(action, [arguments] { return align_frames(*arguments); });
 }
 
 }  // namespace cvo_slam

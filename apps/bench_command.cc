@@ -9,12 +9,11 @@
 #include <fmt/ranges.h>
 #include <opencv2/core/utility.hpp>
 
-#include "cvo_slam/apps/benchmark_plots.h"
 #include "cvo_slam/apps/benchmark_report.h"
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/odometry_benchmark.h"
-#include "cvo_slam/apps/odometry_system.h"
 #include "cvo_slam/apps/progress.h"
+#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
@@ -63,7 +62,7 @@ int bench_odometry(const BenchArguments& arguments) {
   const FrameRange frames = arguments.tracking.range(data->size());
   const auto contestants = make_contestants(arguments.systems, data->camera(), options);
   if (!arguments.plot.empty()) check_reference(*data);
-  // Before the work, so that an unusable folder is known at once.
+  // Made before the work, so that an unusable folder is reported at once.
   for (const auto& folder : {arguments.out, arguments.plot}) {
     if (!folder.empty()) make_folder(folder);
   }
@@ -75,34 +74,32 @@ int bench_odometry(const BenchArguments& arguments) {
                              [&](std::size_t done, std::size_t) { progress.update(done, ""); });
   if (!arguments.out.empty()) write_trajectories(arguments.out, benchmark);
   if (!arguments.plot.empty()) write_benchmark_plots(arguments.plot, *data, benchmark);
-  fmt::print(
-      "{}", arguments.json ? to_json(*data, benchmark).dump(2) + "\n" : to_table(*data, benchmark));
+  fmt::print("{}",
+             arguments.json ? json_text(*data, benchmark) + "\n" : to_table(*data, benchmark));
   return kDone;
 }
 
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
-  auto* bench = app.add_subcommand("bench", "Comparisons with other systems");
-  bench->require_subcommand(1);
+  Command bench(app, "bench", "Compare with other systems");
+  bench.require_subcommand();
   const auto arguments = std::make_shared<BenchArguments>();
-  auto* command = bench->add_subcommand(
-      "odometry", "Accuracy and CPU time of ours and of OpenCV's odometries on the same frames");
-  arguments->tracking.add_to(*command);
+  Command command(bench, "odometry",
+                  "Compare accuracy and CPU time with the odometries of OpenCV on the same frames");
+  arguments->tracking.add_to(command);
   command
-      ->add_option("--systems", arguments->systems,
-                   fmt::format("Which, with commas between: {} (default: all)",
-                               fmt::join(odometry_system_names(), ", ")))
-      ->delimiter(',');
-  command->add_option("--out", arguments->out,
-                      "Folder for the trajectories, <system>.txt in TUM format");
-  command->add_option("--plot", arguments->plot,
-                      "Folder for odometry.png and odometry.svg: distributions of the errors frame "
-                      "to frame, and top views; needs ground truth");
-  command->add_flag("--quiet", arguments->quiet, "No progress");
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
-  command->callback(
-      [&action, arguments] { action = [arguments] { return bench_odometry(*arguments); }; });
+      .add("--systems", &arguments->systems,
+           fmt::format("The systems to compare, separated by commas: {} (default: all)",
+                       fmt::join(odometry_system_names(), ", ")))
+      .separated_by_commas();
+  command.add("--out", &arguments->out, "Folder for the trajectories, <system>.txt in TUM format");
+  command.add("--plot", &arguments->plot,
+              "Folder for odometry.png and odometry.svg: distributions of the errors from frame to "
+              "frame, and top views; needs ground truth");
+  command.add("--quiet", &arguments->quiet, "Show no progress");
+  command.add("--json", &arguments->json, "Print one JSON object instead of a table");
+  command.on_parsed(action, [arguments] { return bench_odometry(*arguments); });
 }
 
 }  // namespace cvo_slam

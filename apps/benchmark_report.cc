@@ -9,6 +9,10 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/se3.h"
+#include "cvo_slam/apps/evaluation_plots.h"
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/trajectory_errors.h"
+#include "cvo_slam/plot/comparison_plot.h"
 
 namespace cvo_slam {
 namespace {
@@ -25,7 +29,7 @@ const Row& header() {
   return row;
 }
 
-/// RMSE of translation and rotation, an RPE's two cells.
+/// Adds the two cells of a relative error: the RMSE of translation and of rotation.
 void add_cells(const RelativeEvaluation& relative, Row& row) {
   if (!relative.error) {
     row.insert(row.end(), {"-", "-"});
@@ -62,7 +66,7 @@ Row row_of(const ContestantResult& result) {
   return row;
 }
 
-/// Names to the left, figures to the right, under the header.
+/// Aligns names to the left and figures to the right.
 std::string markdown_line(const Row& row, const std::vector<std::size_t>& widths) {
   std::string line = fmt::format("| {:<{}} |", row.front(), widths.front());
   for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format(" {:>{}} |", row[i], widths[i]);
@@ -84,28 +88,38 @@ std::string markdown_table(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string protocol() {
+ComparedTrajectory compared(const std::vector<StampedPose>& reference,
+                            const ContestantResult& result) {
+  const auto& ate = result.evaluation ? result.evaluation->ate : std::nullopt;
+  const Similarity alignment = ate ? ate->alignment : Similarity();
+  const auto matches = associate(reference, result.poses, {.interpolate = true});
+  return {result.name, transformed(alignment, result.poses),
+          relative_pose_error(matches, cvo_paper_options()).errors};
+}
+
+/// Cumulative distributions of the errors from frame to frame by the measure of the CVO paper, and
+/// top views, of the systems that are built in. Unlike those of the table, these errors are against
+/// the reference interpolated at the stamps of the frames: between two frames the distance to the
+/// nearest sample is as large as the motion.
+Figure benchmark_figure(const Dataset& data, const OdometryBenchmark& benchmark) {
+  std::vector<StampedPose> reference;
+  std::vector<ComparedTrajectory> estimates;
+  for (const ContestantResult& result : benchmark.results) {
+    if (!result.built_in || result.poses.empty()) continue;
+    if (reference.empty()) reference = reference_during(data.reference(), result.poses);
+    estimates.push_back(compared(data.reference(), result));
+  }
+  if (estimates.empty()) throw DataError("no system of the comparison is built in");
+  return comparison_figure(reference, estimates);
+}
+
+}  // namespace
+
+std::string_view benchmark_protocol() {
   return "RMSE, stamps matched to the nearest within 20 ms; RPE 1 s: all pairs; ATE: after "
          "alignment by a rigid motion; a lost frame keeps the pose before it; CPU: time of the "
          "one thread a frame, images decoded";
 }
-
-nlohmann::ordered_json milliseconds(const Statistics& seconds) {
-  return {{"median", seconds.median * kMilliseconds}, {"mean", seconds.mean * kMilliseconds}};
-}
-
-nlohmann::ordered_json to_json(const ContestantResult& result) {
-  nlohmann::ordered_json json = {
-      {"name", result.name}, {"description", result.description}, {"built_in", result.built_in}};
-  if (!result.built_in) return json;
-  json["lost"] = result.lost;
-  json["cpu_ms"] = milliseconds(result.cpu);
-  json["evaluation"] = nullptr;
-  if (result.evaluation) json["evaluation"] = to_json(*result.evaluation);
-  return json;
-}
-
-}  // namespace
 
 std::string to_table(const Dataset& data, const OdometryBenchmark& benchmark) {
   std::vector<Row> rows;
@@ -116,7 +130,7 @@ std::string to_table(const Dataset& data, const OdometryBenchmark& benchmark) {
   std::string text =
       fmt::format("- sequence: {} ({}), frames {} to {} of {}{}, camera {}\n", data.name(),
                   data.kind(), frames.begin, frames.end - 1, data.size(), step, data.camera().name);
-  text += fmt::format("- protocol: {}\n", protocol());
+  text += fmt::format("- protocol: {}\n", benchmark_protocol());
   text += fmt::format(
       "- decoding a frame's images: median {:.1f} ms, mean {:.1f} ms of CPU, in no row below\n",
       benchmark.decoding.median * kMilliseconds, benchmark.decoding.mean * kMilliseconds);
@@ -126,15 +140,9 @@ std::string to_table(const Dataset& data, const OdometryBenchmark& benchmark) {
   return text + "\n" + markdown_table(rows);
 }
 
-nlohmann::ordered_json to_json(const Dataset& data, const OdometryBenchmark& benchmark) {
-  nlohmann::ordered_json json = {
-      {"sequence", data.name()},      {"kind", data.kind()},
-      {"camera", data.camera().name}, {"begin", benchmark.frames.begin},
-      {"end", benchmark.frames.end},  {"step", benchmark.frames.step},
-      {"protocol", protocol()},       {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
-  json["systems"] = nlohmann::ordered_json::array();
-  for (const auto& result : benchmark.results) json["systems"].push_back(to_json(result));
-  return json;
+void write_benchmark_plots(const std::filesystem::path& folder, const Dataset& data,
+                           const OdometryBenchmark& benchmark) {
+  write_figure(folder / "odometry", benchmark_figure(data, benchmark));
 }
 
 }  // namespace cvo_slam

@@ -7,9 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/evaluation_report.h"
+#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/trajectory_files.h"
 
@@ -30,7 +31,7 @@ struct EvalArguments {
   bool json = false;
 };
 
-/// The relative errors that the command line asks for; each metric has its own defaults.
+/// Returns the relative errors that the command line asks for; each metric has its own defaults.
 std::vector<RelativePoseOptions> relative_options(const EvalArguments& arguments) {
   const bool has_delta = arguments.delta || arguments.unit || arguments.all_pairs;
   if (!arguments.metric && !has_delta) return EvaluationOptions().relative;
@@ -68,58 +69,50 @@ int run_eval(const EvalArguments& arguments) {
   if (!arguments.plot_folder.empty()) {
     write_figures(arguments.plot_folder, evaluation_figures(reference, estimate, report));
   }
-  fmt::print("{}", arguments.json ? to_json(report).dump(2) + "\n" : to_table(report));
+  fmt::print("{}", arguments.json ? json_text(report) + "\n" : to_table(report));
   return kDone;
 }
 
-template <typename E>
-auto choice(std::vector<std::pair<std::string, E>> names) {
-  return CLI::CheckedTransformer(std::move(names)).description("");
-}
-
-void add_options(CLI::App& command, EvalArguments& arguments) {
+void add_options(Command& command, EvalArguments& arguments) {
   auto& association = arguments.options.association;
-  command.add_option("reference", arguments.reference, "The true trajectory, a file in TUM format")
-      ->required();
-  command.add_option("estimate", arguments.estimate, "The trajectory to judge, in TUM format")
-      ->required();
-  command
-      .add_option("--align", arguments.options.alignment,
-                  "none, se3 or sim3: how the estimate is fitted first (default se3)")
-      ->transform(choice<Alignment>(
-          {{"none", Alignment::kNone}, {"se3", Alignment::kSe3}, {"sim3", Alignment::kSim3}}));
-  command
-      .add_option("--metric", arguments.metric,
-                  "evo, tum or paper: the relative error; tum = all pairs --delta seconds apart, "
-                  "paper = the CVO paper's, frame to frame (default: tum, and evo frame to frame)")
-      ->transform(choice<Metric>(
-          {{"evo", Metric::kEvo}, {"tum", Metric::kTum}, {"paper", Metric::kPaper}}));
-  command.add_option("--delta", arguments.delta, "Distance of the poses of a pair (default 1)");
-  command.add_option("--unit", arguments.unit, "Of --delta: frames, m or s (default frames)")
-      ->transform(choice<DeltaUnit>(
-          {{"frames", DeltaUnit::kFrames}, {"m", DeltaUnit::kMetres}, {"s", DeltaUnit::kSeconds}}));
-  command.add_flag("--all-pairs", arguments.all_pairs,
-                   "A pair from every pose, not only from where the last one ended");
-  command.add_option("--max-diff", association.max_difference,
-                     "Largest difference of the stamps of a match [s] (default 0.02)");
-  command.add_flag("--interpolate", association.interpolate,
-                   "Interpolate the reference at the estimate's stamps");
-  command.add_option("--time-offset", association.time_offset,
-                     "Added to the estimate's stamps [s] (default 0)");
-  command.add_option("--plot", arguments.plot_folder,
-                     "Folder for pictures of the trajectories and their errors (PNG and SVG)");
-  command.add_flag("--json", arguments.json, "Print one JSON object instead of a table");
+  command.add("reference", &arguments.reference, "The true trajectory, a file in TUM format")
+      .required();
+  command.add("estimate", &arguments.estimate, "The trajectory to judge, a file in TUM format")
+      .required();
+  command.add_choice<Alignment, Alignment>(
+      "--align", &arguments.options.alignment,
+      {{"none", Alignment::kNone}, {"se3", Alignment::kSe3}, {"sim3", Alignment::kSim3}},
+      "none, se3 or sim3: how the estimate is fitted to the reference first (default se3)");
+  command.add_choice<std::optional<Metric>, Metric>(
+      "--metric", &arguments.metric,
+      {{"evo", Metric::kEvo}, {"tum", Metric::kTum}, {"paper", Metric::kPaper}},
+      "evo, tum or paper: the relative error; tum = all pairs --delta seconds apart, paper = the "
+      "one of the CVO paper, from frame to frame (default: tum, and evo from frame to frame)");
+  command.add("--delta", &arguments.delta, "Distance between the two poses of a pair (default 1)");
+  command.add_choice<std::optional<DeltaUnit>, DeltaUnit>(
+      "--unit", &arguments.unit,
+      {{"frames", DeltaUnit::kFrames}, {"m", DeltaUnit::kMetres}, {"s", DeltaUnit::kSeconds}},
+      "Unit of --delta: frames, m or s (default frames)");
+  command.add("--all-pairs", &arguments.all_pairs,
+              "Begin a pair at every pose, not only where the last pair ended");
+  command.add("--max-diff", &association.max_difference,
+              "Largest difference between the stamps of a match [s] (default 0.02)");
+  command.add("--interpolate", &association.interpolate,
+              "Interpolate the reference at the stamps of the estimate");
+  command.add("--time-offset", &association.time_offset,
+              "Time to add to the stamps of the estimate [s] (default 0)");
+  command.add("--plot", &arguments.plot_folder,
+              "Folder for pictures of the trajectories and their errors (PNG and SVG)");
+  command.add("--json", &arguments.json, "Print one JSON object instead of a table");
 }
 
 }  // namespace
 
 void add_eval_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<EvalArguments>();
-  CLI::App* command =
-      app.add_subcommand("eval", "Errors of an estimated trajectory against a reference");
-  add_options(*command, *arguments);
-  command->callback(
-      [&action, arguments] { action = [arguments] { return run_eval(*arguments); }; });
+  Command command(app, "eval", "Compute the errors of a trajectory against a reference");
+  add_options(command, *arguments);
+  command.on_parsed(action, [arguments] { return run_eval(*arguments); });
 }
 
 }  // namespace cvo_slam

@@ -18,18 +18,22 @@ struct NamedFigure {
   Figure figure;
 };
 
-/// The part of the reference from the estimate's begin to its end; all of it where that is empty.
-/// `offset` [s] is what leads from the estimate's stamps to the reference's.
+/// Writes <stem>.png and <stem>.svg. Throws OutputError.
+void write_figure(const std::filesystem::path& stem, const Figure& figure);
+
+/// Returns the part of the reference within the time span of the estimate, or all of it if that
+/// part is empty. `offset` [s] is the time to add to the stamps of the estimate.
 [[nodiscard]] std::vector<StampedPose> reference_during(const std::vector<StampedPose>& reference,
                                                         const std::vector<StampedPose>& estimate,
                                                         double offset = 0);
 
-/// "trajectory", the aligned estimate against the reference, and "errors", the errors over time.
+/// Returns two figures: "trajectory" shows the aligned estimate against the reference, "errors" the
+/// errors over time.
 [[nodiscard]] std::vector<NamedFigure> evaluation_figures(const std::vector<StampedPose>& reference,
                                                           const std::vector<StampedPose>& estimate,
                                                           const EvaluationReport& report);
 
-/// Writes each figure as PNG and as SVG into `folder`, which is made where it is missing. Throws
+/// Writes each figure as PNG and as SVG into `folder`, which is made if it is missing. Throws
 /// OutputError.
 void write_figures(const std::filesystem::path& folder, const std::vector<NamedFigure>& figures);
 

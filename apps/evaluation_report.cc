@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/se3.h"
@@ -40,27 +41,6 @@ void add_relative(EvaluationReport& report, const std::vector<MatchedPose>& matc
 bool has_figures(const EvaluationReport& report) {
   return report.ate || std::any_of(report.relative.begin(), report.relative.end(),
                                    [](const auto& relative) { return relative.error.has_value(); });
-}
-
-nlohmann::ordered_json to_json(const Statistics& s) {
-  return {{"rmse", s.rmse}, {"mean", s.mean}, {"median", s.median}, {"std", s.std},
-          {"min", s.min},   {"max", s.max},   {"sse", s.sse}};
-}
-
-nlohmann::ordered_json to_json(const PoseErrorStatistics& statistics) {
-  return {{"count", statistics.translation.count},
-          {"translation_m", to_json(statistics.translation)},
-          {"rotation_deg", to_json(in_unit(statistics.rotation, kDegrees))}};
-}
-
-nlohmann::ordered_json to_json(const RelativeEvaluation& relative) {
-  const auto& options = relative.options;
-  const bool paper = options.kind == RelativeErrorKind::kCvoPaper;
-  return {{"delta", options.delta},
-          {"unit", to_string(options.unit)},
-          {"all_pairs", options.all_pairs},
-          {"definition", paper ? "cvo_paper" : "relative_pose"},
-          {"error", relative.error ? to_json(relative.error->statistics) : nullptr}};
 }
 
 std::string table_row(std::string_view name, std::string_view quantity, const Statistics& s) {
@@ -126,24 +106,6 @@ std::string label_of(const RelativePoseOptions& options) {
   const bool single_frame = options.unit == DeltaUnit::kFrames && options.delta == 1;
   return fmt::format("RPE {} {}{}", options.delta, single_frame ? "frame" : to_string(options.unit),
                      options.kind == RelativeErrorKind::kCvoPaper ? " *" : "");
-}
-
-nlohmann::ordered_json to_json(const EvaluationReport& report) {
-  const auto& association = report.options.association;
-  nlohmann::ordered_json json = {{"reference_poses", report.reference_poses},
-                                 {"estimate_poses", report.estimate_poses},
-                                 {"matches", report.matches},
-                                 {"coverage", report.coverage},
-                                 {"interpolate", association.interpolate},
-                                 {"max_difference_s", association.max_difference},
-                                 {"time_offset_s", association.time_offset},
-                                 {"alignment", name_of(report.options.alignment)}};
-  json["scale"] = report.ate ? nlohmann::ordered_json(report.ate->alignment.scale) : nullptr;
-  json["ate"] = report.ate ? to_json(report.ate->statistics) : nullptr;
-  json["rpe"] = nlohmann::ordered_json::array();
-  for (const auto& relative : report.relative) json["rpe"].push_back(to_json(relative));
-  json["notes"] = report.notes;
-  return json;
 }
 
 std::string to_table(const EvaluationReport& report) {

@@ -19,7 +19,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Half the period of a 30 Hz camera, and a little: no stamp is as near to two frames.
+/// Slightly more than half the period of a 30 Hz camera: every time of a recording has a frame.
 constexpr double kMaxStampDifference = 0.02;  // [s]
 
 std::size_t nearest_frame(const Dataset& data, const Timestamp& stamp) {
@@ -42,7 +42,7 @@ std::size_t frame_of_stamp(const Dataset& data, const std::string& word, const T
                   word, kMaxStampDifference, nearest, data.stamp(nearest).to_string()));
 }
 
-/// By number, or by stamp where the word has a point.
+/// Finds a frame by its number, or by its stamp if the word has a point.
 std::size_t find_frame(const Dataset& data, const std::string& word) {
   if (word.find('.') != std::string::npos) {
     if (const auto stamp = Timestamp::parse(word)) return frame_of_stamp(data, word, *stamp);
@@ -79,7 +79,7 @@ std::optional<SE3> true_motion(const Dataset& data, const RgbdFrame& a, const Rg
     if (matches.size() != 2) return std::nullopt;
     const SE3 motion = matches[0].reference.inverse() * matches[1].reference;
     return swapped ? motion.inverse() : motion;
-  } catch (const DataError&) {  // the reference is of another time
+  } catch (const DataError&) {  // the reference covers another time
     return std::nullopt;
   }
 }

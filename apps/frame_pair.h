@@ -17,18 +17,18 @@ struct FramePair {
   Camera camera;
   RgbdFrame a;
   RgbdFrame b;
-  std::string name_a;              ///< "frame 12" or the file of its colour image
-  std::string name_b;              ///< likewise
-  std::string source;              ///< the sequence, for people; empty for image files
-  std::optional<double> seconds;   ///< from a to b; empty for image files
-  std::optional<SE3> T_a_b_truth;  ///< by the sequence's reference, interpolated, where it has both
+  std::string name_a;              ///< "frame 12", or the file of the colour image
+  std::string name_b;              ///< the same for frame b
+  std::string source;              ///< name of the sequence; empty for image files
+  std::optional<double> seconds;   ///< time from a to b [s]; empty for image files
+  std::optional<SE3> T_a_b_truth;  ///< from the interpolated reference, if it covers both
 };
 
-/// Reads what the words of a command line name: the folder of a sequence and two of its frames,
-/// each by its number or by its stamp (a number with a point [s]); or the colour and depth image of
-/// each of two frames. `camera` is a file or a built-in name; empty = the sequence's own. Throws
-/// InputError or OptionError where a frame is unknown or cannot be read, both are the same, or
-/// image files come without a camera.
+/// Reads the frames that the words of a command line name: either the folder of a sequence and two
+/// of its frames, each by number or by stamp (a number with a point [s]); or the colour and the
+/// depth image of each frame. `camera` is a file or a built-in name; empty = the camera of the
+/// sequence. Throws InputError or OptionError if a frame is unknown or cannot be read, if both
+/// frames are the same, or if image files come without a camera.
 [[nodiscard]] FramePair read_frame_pair(const std::vector<std::string>& words,
                                         const std::string& camera);
 

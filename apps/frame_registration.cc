@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cvo_slam/apps/odometry_run.h"
+#include "cvo_slam/apps/sequence_run.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/point_selection.h"
@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kMillimetres = 1000;
 
-/// What a tracker would have against the result; empty where it has nothing.
-std::string doubt_of(const RegistrationResult& result, const LostOptions& limits) {
+/// Returns why a tracker would reject the result; empty if it would not.
+std::string rejection_of(const RegistrationResult& result, const LostOptions& limits) {
   if (result.overlap < limits.min_overlap) {
     return fmt::format("overlap {:.2f} is below lost.min_overlap={}", result.overlap,
                        limits.min_overlap);
@@ -42,12 +42,6 @@ PointCloud points_of(const RgbdFrame& frame, const std::string& name, const Came
   return cloud;
 }
 
-/// Of a right perturbation of T_a_b: the square roots of the covariance's diagonal.
-Vector6 standard_deviations(const RegistrationResult& result) {
-  const Eigen::Matrix<double, 6, 6> covariance = result.information.inverse();
-  return covariance.diagonal().cwiseSqrt();
-}
-
 std::array<double, 3> array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 std::string motion_text(const SE3& T) {
@@ -55,34 +49,12 @@ std::string motion_text(const SE3& T) {
                      T.angle() * kDegrees);
 }
 
-nlohmann::ordered_json pose_json(const SE3& T) {
-  const Eigen::Vector4d q = T.quaternion();
-  return {{"translation_m", array(T.translation())},
-          {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
-}
-
-nlohmann::ordered_json similarity_json(const CloudSimilarity& similarity) {
-  return {{"inner_product", similarity.inner_product},
-          {"cos_theta", similarity.cos_theta},
-          {"overlap", similarity.overlap},
-          {"kernel_entries", similarity.entries}};
-}
-
-nlohmann::ordered_json information_json(const Matrix6& information) {
-  auto rows = nlohmann::ordered_json::array();
-  for (int row = 0; row < 6; ++row) {
-    auto values = nlohmann::ordered_json::array();
-    for (int column = 0; column < 6; ++column) values.push_back(information(row, column));
-    rows.push_back(values);
-  }
-  return rows;
-}
-
-std::string_view word_of(RegistrationStatus status) {
-  return status == RegistrationStatus::kConverged ? "converged" : "iteration_limit";
-}
-
 }  // namespace
+
+Vector6 standard_deviations(const RegistrationResult& result) {
+  const Eigen::Matrix<double, 6, 6> covariance = result.information.inverse();
+  return covariance.diagonal().cwiseSqrt();
+}
 
 FrameRegistration register_frames(const FramePair& pair, const TrackerOptions& options) {
   const double start = process_cpu_seconds();
@@ -99,7 +71,7 @@ FrameRegistration register_frames(const FramePair& pair, const TrackerOptions& o
     throw DataError(
         fmt::format("{} and {} cannot be registered: {}", pair.name_a, pair.name_b, result.reason));
   }
-  registration.doubt = doubt_of(result, options.lost);
+  registration.rejection = rejection_of(result, options.lost);
   registration.length_scale = options.registration.length_scales.back();
   const auto similarity_at = [&](const SE3& T) {
     return similarity(registration.points_a, registration.points_b, T, options.registration.kernel,
@@ -141,36 +113,9 @@ std::string to_table(const FramePair& pair, const FrameRegistration& registratio
                       before.entries, registration.length_scale);
   text += fmt::format("iterations     {}, {}\n", result.iterations, result.reason);
   text += fmt::format("CPU time       {:.1f} ms\n", registration.cpu_seconds * 1000);
-  if (!registration.doubt.empty()) text += fmt::format("doubtful       {}\n", registration.doubt);
+  if (!registration.rejection.empty())
+    text += fmt::format("rejected       {}\n", registration.rejection);
   return text;
-}
-
-nlohmann::ordered_json to_json(const FramePair& pair, const FrameRegistration& registration) {
-  const RegistrationResult& result = registration.result;
-  const Vector6 deviations = standard_deviations(result);
-  nlohmann::ordered_json json = {{"a", pair.name_a}, {"b", pair.name_b}};
-  if (!pair.source.empty()) json["sequence"] = pair.source;
-  if (pair.seconds) json["interval_s"] = *pair.seconds;
-  json["T_a_b"] = pose_json(result.T_fixed_moving);
-  json["standard_deviation"] = {{"translation_m", array(deviations.head<3>())},
-                                {"rotation_rad", array(deviations.tail<3>())}};
-  json["information"] = information_json(result.information);
-  json["error"] = nullptr;
-  if (pair.T_a_b_truth) {
-    const SE3 error = pair.T_a_b_truth->inverse() * result.T_fixed_moving;
-    json["error"] = {{"translation_m", error.translation().norm()},
-                     {"rotation_deg", error.angle() * kDegrees}};
-  }
-  json["status"] = word_of(result.status);
-  json["doubt"] = registration.doubt;
-  json["iterations"] = result.iterations;
-  json["points_a"] = registration.points_a.size();
-  json["points_b"] = registration.points_b.size();
-  json["length_scale_m"] = registration.length_scale;
-  json["before"] = similarity_json(registration.before);
-  json["after"] = similarity_json(registration.after);
-  json["cpu_ms"] = registration.cpu_seconds * 1000;
-  return json;
 }
 
 }  // namespace cvo_slam

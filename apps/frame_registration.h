@@ -4,8 +4,6 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cvo_slam/apps/frame_pair.h"
 #include "cvo_slam/frontend/inspection.h"
 #include "cvo_slam/frontend/registration.h"
@@ -13,28 +11,28 @@
 
 namespace cvo_slam {
 
-/// One registration of two frames, and what went into it.
+/// One registration of two frames, with its input.
 struct FrameRegistration {
-  PointCloud points_a;  ///< as of a keyframe
-  PointCloud points_b;  ///< as of a frame
+  PointCloud points_a;  ///< selected as for a keyframe
+  PointCloud points_b;  ///< selected as for a frame
   RegistrationResult result;
-  double length_scale = 0;  ///< the last one [m]: of `before` and `after`
-  CloudSimilarity before;   ///< at the identity, where the search starts
-  CloudSimilarity after;    ///< at the result
-  std::string doubt;        ///< why a tracker would not believe it; empty where it would
-  double cpu_seconds = 0;   ///< of selecting points and registering
+  double length_scale = 0;  ///< last length scale, used for `before` and `after` [m]
+  CloudSimilarity before;   ///< similarity at the identity, where the search starts
+  CloudSimilarity after;    ///< similarity at the result
+  std::string rejection;    ///< why a tracker would reject the result; empty if it would not
+  double cpu_seconds = 0;   ///< CPU time of selecting points and registering
 };
 
 /// Registers frame b against frame a from the identity, with the tracker's selection, registration
-/// and limits. Throws DataError where there is no result.
+/// and limits. Throws DataError if there is no result.
 [[nodiscard]] FrameRegistration register_frames(const FramePair& pair,
                                                 const TrackerOptions& options);
 
-/// All figures as lines of text for people.
-[[nodiscard]] std::string to_table(const FramePair& pair, const FrameRegistration& registration);
+/// Returns the standard deviations of a right perturbation of T_a_b, [translation; rotation]: the
+/// square roots of the covariance's diagonal [m, rad].
+[[nodiscard]] Vector6 standard_deviations(const RegistrationResult& result);
 
-/// The same; keys end in the unit.
-[[nodiscard]] nlohmann::ordered_json to_json(const FramePair& pair,
-                                             const FrameRegistration& registration);
+/// Returns all figures as lines of text for people.
+[[nodiscard]] std::string to_table(const FramePair& pair, const FrameRegistration& registration);
 
 }  // namespace cvo_slam

@@ -11,25 +11,20 @@
 namespace cvo_slam {
 namespace {
 
-auto candidates_of_kind(const std::vector<LoopCandidate>& candidates, EdgeKind kind) {
-  return std::count_if(candidates.begin(), candidates.end(),
-                       [&](const LoopCandidate& candidate) { return candidate.kind == kind; });
-}
-
-/// The columns that a bag of words has; empty where the pair was found otherwise.
+/// Returns the columns of place recognition; empty if the pair was found in another way.
 std::string recognition_fields(const LoopCandidate& c) {
   if (c.kind != EdgeKind::kLoop) return ",,";
   return fmt::format("{:.4f},{:.3f},{}", c.score, c.normalized_score, c.inliers);
 }
 
-/// What the registrations found; empty where the candidate was refused before.
+/// Returns the columns of the registration; empty if the candidate was rejected before it.
 std::string registration_fields(const LoopCandidate& c) {
   if (c.overlap == 0) return ",,,";
   return fmt::format("{:.4f},{:.4f},{:.5f},{:.5f}", c.overlap, c.cos_theta,
                      c.round_trip_translation, c.round_trip_rotation);
 }
 
-/// How that fits the graph; empty where it was not asked, or does not know.
+/// Returns the columns of the comparison with the graph; empty if there was none.
 std::string correction_fields(const LoopCandidate& c) {
   if (c.error == 0) return ",,";
   return fmt::format("{:.5f},{:.5f},{:.3f}", c.correction_translation, c.correction_rotation,
@@ -66,27 +61,6 @@ std::string csv_quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + "\"";
-}
-
-nlohmann::ordered_json to_json(const GraphResult& result) {
-  const GraphStatistics& statistics = result.statistics;
-  const Summary& last = statistics.last_full;
-  return {{"nodes", result.graph.nodes().size()},
-          {"odometry_edges", edges_of_kind(result.graph, EdgeKind::kOdometry)},
-          {"proximity_edges", edges_of_kind(result.graph, EdgeKind::kProximity)},
-          {"loop_edges", edges_of_kind(result.graph, EdgeKind::kLoop)},
-          {"candidates", result.candidates.size()},
-          {"bow_candidates", candidates_of_kind(result.candidates, EdgeKind::kLoop)},
-          {"window_solves", statistics.window_solves},
-          {"window_s", statistics.window_seconds},
-          {"full_solves", statistics.full_solves},
-          {"full_s", statistics.full_seconds},
-          {"last_full",
-           {{"initial_cost", last.initial_cost},
-            {"final_cost", last.final_cost},
-            {"iterations", last.iterations},
-            {"converged", last.converged},
-            {"rejected_edges", last.rejected_edges()}}}};
 }
 
 std::string to_table(const GraphResult& result) {

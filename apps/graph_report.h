@@ -8,27 +8,23 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
-#include "cvo_slam/apps/slam_run.h"
+#include "cvo_slam/apps/sequence_run.h"
 
 namespace cvo_slam {
 
-/// A text as a field of a CSV file.
+/// Returns a text as a quoted field of a CSV file.
 [[nodiscard]] std::string csv_quoted(const std::string& text);
 
-/// How a candidate was found: "proximity" or, by a bag of words, "bow".
+/// Returns how a candidate was found: "proximity", "bow" (bag of words) or "lost" (relocalisation).
 [[nodiscard]] std::string_view name_of(const LoopCandidate& candidate);
 
+/// Returns the number of edges of a kind.
 [[nodiscard]] std::size_t edges_of_kind(const PoseGraph& graph, EdgeKind kind);
 
-/// Numbers of nodes, edges and candidates, costs, iterations, times.
-[[nodiscard]] nlohmann::ordered_json to_json(const GraphResult& result);
-
-/// Its rows in the table at the end of a run.
+/// Returns the rows of the graph in the table at the end of a run.
 [[nodiscard]] std::string to_table(const GraphResult& result);
 
-/// One line a candidate.
+/// Returns the text of loops.csv: a header, and one line for each candidate.
 [[nodiscard]] std::string loops_csv(const std::vector<LoopCandidate>& candidates);
 
 /// Writes loops.csv. Throws OutputError.

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/dataset.h"
 
@@ -22,11 +22,11 @@ struct InfoArguments {
   bool json = false;
 };
 
-/// What `info` says of a data set, apart from its images.
+/// Figures of a data set that `info` prints.
 struct DatasetInfo {
-  double duration = 0;         ///< of the first to the last frame [s]
+  double duration = 0;         ///< from the first to the last frame [s]
   double rate = 0;             ///< [Hz]
-  std::size_t referenced = 0;  ///< frames within the time the reference covers
+  std::size_t referenced = 0;  ///< frames within the time span of the reference
 };
 
 DatasetInfo measure(const Dataset& data) {
@@ -126,14 +126,12 @@ int run_info(const InfoArguments& arguments) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("info", "Says what a data set holds");
   const auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("dataset", arguments->dataset, "Folder of a sequence: " + dataset_formats())
-      ->required();
-  command->add_option("--camera", arguments->camera, "Camera file, or name of a built-in camera");
-  command->add_flag("--json", arguments->json, "Print JSON");
-  command->callback(
-      [&action, arguments] { action = [arguments] { return run_info(*arguments); }; });
+  Command command(app, "info", "Describe a data set");
+  command.add("dataset", &arguments->dataset, "Folder of a sequence: " + dataset_formats()).required();
+  command.add("--camera", &arguments->camera, "Camera file, or name of a built-in camera");
+  command.add("--json", &arguments->json, "Print one JSON object instead of text");
+  command.on_parsed(action, [arguments] { return run_info(*arguments); });
 }
 
 }  // namespace cvo_slam

@@ -3,6 +3,7 @@
 #include "cvo_slam/apps/loop_pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <regex>
 #include <set>
@@ -10,16 +11,95 @@
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
-#include "cvo_slam/apps/match_picture.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 namespace {
 
+constexpr int kGap = 8;  // [px] between the two images
+/// Different enough to tell neighbouring lines apart, on dark and on bright images.
+constexpr std::array kLineColors = {kSkyBlue, kOrange, kGreen, kPurple, kVermilion};
+const cv::Scalar kWhite = cv::Scalar::all(255);
+const cv::Scalar kNoImage = cv::Scalar::all(160);
+
+cv::Scalar to_scalar(Color color) {
+  return {static_cast<double>(color.blue), static_cast<double>(color.green),
+          static_cast<double>(color.red)};
+}
+
+/// Returns the image in colour or, if it is empty, a grey field of the size of the other image.
+cv::Mat in_color(const cv::Mat& image, const cv::Size& other) {
+  if (image.empty()) {
+    const cv::Size size = other.empty() ? cv::Size(320, 240) : other;
+    return {size, CV_8UC3, kNoImage};
+  }
+  if (image.channels() == 3) return image;
+  cv::Mat color;
+  cv::cvtColor(image, color, cv::COLOR_GRAY2BGR);
+  return color;
+}
+
+cv::Mat side_by_side(const cv::Mat& a, const cv::Mat& b) {
+  cv::Mat both(std::max(a.rows, b.rows), a.cols + kGap + b.cols, CV_8UC3, kWhite);
+  a.copyTo(both(cv::Rect(0, 0, a.cols, a.rows)));
+  b.copyTo(both(cv::Rect(a.cols + kGap, 0, b.cols, b.rows)));
+  return both;
+}
+
+cv::Mat shrunk(const cv::Mat& image, double scale) {
+  cv::Mat result;
+  cv::resize(image, result, cv::Size(), scale, scale, cv::INTER_AREA);
+  return result;
+}
+
+/// The two ends of a match on the scaled picture of both images.
+struct Ends {
+  cv::Point2f a;
+  cv::Point2f b;
+};
+
+std::vector<Ends> ends_of(const std::vector<PixelPair>& pixels, int b_begins, double scale) {
+  const auto at = [scale](float u, float v) {
+    return cv::Point2f(static_cast<float>(scale * u), static_cast<float>(scale * v));
+  };
+  std::vector<Ends> ends;
+  ends.reserve(pixels.size());
+  for (const PixelPair& pair : pixels) {
+    ends.push_back({at(pair.a_u, pair.a_v), at(pair.b_u + static_cast<float>(b_begins), pair.b_v)});
+  }
+  return ends;
+}
+
+cv::Scalar color_of(std::size_t match) {
+  return to_scalar(kLineColors[match % kLineColors.size()]);
+}
+
+/// Draws transparent lines, so that a hundred of them do not hide what they join.
+void draw_lines(const std::vector<Ends>& ends, cv::Mat& picture) {
+  constexpr double kOpacity = 0.55;
+  cv::Mat lines = picture.clone();
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    cv::line(lines, ends[i].a, ends[i].b, color_of(i), 1, cv::LINE_AA);
+  }
+  cv::addWeighted(lines, kOpacity, picture, 1 - kOpacity, 0, picture);
+}
+
+void draw_points(const std::vector<Ends>& ends, cv::Mat& picture) {
+  const int radius = std::clamp(picture.cols / 300, 1, 3);  // [px]
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (const cv::Point2f& end : {ends[i].a, ends[i].b}) {
+      cv::circle(picture, end, radius + 1, kWhite, cv::FILLED, cv::LINE_AA);
+      cv::circle(picture, end, radius, color_of(i), cv::FILLED, cv::LINE_AA);
+    }
+  }
+}
+
 constexpr const char* kFolder = "loops";
-constexpr int kWidth = 900;       // [px]; with that of a Kinect's images a file is 1 MB
+constexpr int kWidth = 900;       // [px]; a file of two Kinect images is 1 MB then
 constexpr int kJpegQuality = 80;  // 60 to 90 kB a picture
 
 std::string_view verdict_of(const LoopCandidate& candidate) {
@@ -34,7 +114,7 @@ std::string encoded(const char* format, const cv::Mat& image, const std::vector<
   return {bytes.begin(), bytes.end()};
 }
 
-/// Indices of those of which a picture is made.
+/// Returns the indices of the candidates whose pictures are drawn.
 std::vector<std::size_t> pictured(const std::vector<LoopCandidate>& candidates,
                                   LoopPictures which) {
   std::vector<std::size_t> indices;
@@ -46,7 +126,7 @@ std::vector<std::size_t> pictured(const std::vector<LoopCandidate>& candidates,
   return indices;
 }
 
-/// Those of the indices that a page shows.
+/// Returns the indices of the candidates that the page shows.
 std::set<std::size_t> chosen(const std::vector<LoopCandidate>& candidates,
                              std::vector<std::size_t> indices, std::size_t max_count) {
   std::stable_sort(indices.begin(), indices.end(), [&](std::size_t i, std::size_t j) {
@@ -59,7 +139,8 @@ std::set<std::size_t> chosen(const std::vector<LoopCandidate>& candidates,
   return {indices.begin(), indices.end()};
 }
 
-/// The colour images of a sequence, of which the newer one of a pair is often the next pair's too.
+/// Reads the colour images of pairs. The newer image of a pair is kept, because the next pair often
+/// needs it again.
 class ColorImages {
  public:
   ColorImages(const Dataset& data, std::vector<std::string>& notes) : data_(data), notes_(notes) {}
@@ -96,6 +177,19 @@ bool is_loop_picture(const std::filesystem::path& file) {
 
 }  // namespace
 
+cv::Mat draw_matches(const cv::Mat& a, const cv::Mat& b, const std::vector<PixelPair>& pixels,
+                     int max_width) {
+  const cv::Mat left = in_color(a, b.size());
+  const cv::Mat right = in_color(b, a.size());
+  cv::Mat picture = side_by_side(left, right);
+  const double scale = std::min(1.0, static_cast<double>(max_width) / picture.cols);
+  if (scale < 1) picture = shrunk(picture, scale);
+  const auto ends = ends_of(pixels, left.cols + kGap, scale);
+  draw_lines(ends, picture);
+  draw_points(ends, picture);
+  return picture;
+}
+
 LoopGallery write_loop_pictures(const std::filesystem::path& folder, const Dataset& data,
                                 const std::vector<LoopCandidate>& candidates, LoopPictures which,
                                 std::size_t max_chosen, std::vector<std::string>& notes) {
@@ -123,7 +217,7 @@ LoopGallery write_loop_pictures(const std::filesystem::path& folder, const Datas
 void remove_loop_pictures(const std::filesystem::path& folder) {
   const auto loops = folder / kFolder;
   std::error_code ignored;
-  // A link would lead to a folder that is not the run's.
+  // A link would lead to a folder that does not belong to the run.
   if (!std::filesystem::is_directory(std::filesystem::symlink_status(loops, ignored))) return;
   std::vector<std::filesystem::path> pictures;
   bool has_others = false;

@@ -2,13 +2,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/odometry_benchmark.h"
 
+#include <algorithm>
 #include <ctime>
+#include <functional>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "cvo_slam/apps/opencv_odometry.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/options.h"
+#include "cvo_slam/frontend/tracker.h"
 
 namespace cvo_slam {
 namespace {
+
+using SystemPointer = std::unique_ptr<OdometrySystem>;
+
+class TrackerSystem final : public OdometrySystem {
+ public:
+  TrackerSystem(const Camera& camera, const TrackerOptions& options) : tracker_(camera, options) {}
+
+  std::optional<SE3> track(const RgbdFrame& frame) override {
+    const FrameRecord record = tracker_.track(frame);
+    if (record.status == TrackingStatus::kLost) return std::nullopt;
+    return record.T_world_camera;
+  }
+
+ private:
+  Tracker tracker_;
+};
+
+struct Entry {
+  std::string name;
+  std::string description;
+  std::function<SystemPointer(const Camera&, const TrackerOptions&)> make;
+};
+
+Entry opencv_entry(const std::string& name, const std::string& type, OpencvMethod method) {
+  return {name, "cv::rgbd::" + type + ", frame to frame, on undistorted images",
+          [method](const Camera& camera, const TrackerOptions&) {
+            return make_opencv_odometry(method, camera);
+          }};
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> table = {
+      {"ours", "cvo_slam::Tracker",
+       [](const Camera& camera, const TrackerOptions& options) -> SystemPointer {
+         return std::make_unique<TrackerSystem>(camera, options);
+       }},
+      {"paper", "cvo_slam::Tracker with the CVO paper's protocol, frame to frame",
+       [](const Camera& camera, const TrackerOptions&) -> SystemPointer {
+         return std::make_unique<TrackerSystem>(camera, paper_options());
+       }},
+      opencv_entry("rgbd", "RgbdOdometry", OpencvMethod::kRgbd),
+      opencv_entry("rgbd_icp", "RgbdICPOdometry", OpencvMethod::kRgbdIcp),
+      opencv_entry("icp", "ICPOdometry", OpencvMethod::kIcp),
+  };
+  return table;
+}
+
+const Entry& find_entry(const std::string& name) {
+  const auto found = std::find_if(entries().begin(), entries().end(),
+                                  [&](const Entry& entry) { return entry.name == name; });
+  if (found != entries().end()) return *found;
+  throw OptionError(fmt::format("--systems: unknown system '{}'; {}", name,
+                                suggestion(name, odometry_system_names())));
+}
 
 double thread_cpu_seconds() {
   timespec time = {};
@@ -16,7 +77,7 @@ double thread_cpu_seconds() {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
-/// The CPU time that a call takes in this thread [s].
+/// Returns the CPU time of a call in this thread [s].
 template <typename Call>
 double cpu_time_of(const Call& call) {
   const double start = thread_cpu_seconds();
@@ -29,12 +90,12 @@ std::optional<EvaluationReport> evaluation_of(const std::vector<StampedPose>& re
   if (reference.empty()) return std::nullopt;
   try {
     return evaluate(reference, poses);
-  } catch (const DataError&) {  // nothing of the reference is of these frames' time
+  } catch (const DataError&) {  // the reference covers another time
     return std::nullopt;
   }
 }
 
-/// A system on its way through a sequence.
+/// One system while it runs through a sequence.
 class Run {
  public:
   explicit Run(const Contestant& contestant) : system_(contestant.system.get()) {
@@ -63,12 +124,31 @@ class Run {
   }
 
  private:
-  OdometrySystem* system_;  // null where it is not built in
+  OdometrySystem* system_;  // null if it is not built in
   ContestantResult result_;
   std::vector<double> cpu_;  // [s]
 };
 
 }  // namespace
+
+std::vector<std::string> odometry_system_names() {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries()) names.push_back(entry.name);
+  return names;
+}
+
+std::vector<Contestant> make_contestants(const std::vector<std::string>& names,
+                                         const Camera& camera, const TrackerOptions& options) {
+  std::vector<Contestant> contestants;
+  for (const std::string& name : names) {
+    const Entry& entry = find_entry(name);
+    if (std::count(names.begin(), names.end(), name) > 1) {
+      throw OptionError(fmt::format("--systems: '{}' is named twice; name each system once", name));
+    }
+    contestants.push_back({entry.name, entry.description, entry.make(camera, options)});
+  }
+  return contestants;
+}
 
 OdometryBenchmark run_odometry_benchmark(const Dataset& data, const FrameRange& frames,
                                          const std::vector<Contestant>& contestants,

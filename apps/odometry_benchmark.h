@@ -4,42 +4,73 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cvo_slam/apps/argument_text.h"
 #include "cvo_slam/apps/evaluation_report.h"
-#include "cvo_slam/apps/odometry_system.h"
+#include "cvo_slam/apps/odometry_benchmark.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/core/trajectory_errors.h"
+#include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
 
 namespace cvo_slam {
 
-/// How one system did.
+/// An RGB-D odometry that `bench odometry` can run.
+class OdometrySystem {
+ public:
+  virtual ~OdometrySystem() = default;
+
+  /// Returns T_world_camera of the next frame, or nothing if the system lost it.
+  [[nodiscard]] virtual std::optional<SE3> track(const RgbdFrame& frame) = 0;
+};
+
+/// One of the systems to compare.
+struct Contestant {
+  std::string name;                        ///< as in --systems
+  std::string description;                 ///< one line for people
+  std::unique_ptr<OdometrySystem> system;  ///< null if it is not built in
+};
+
+/// Returns the names of all systems, in the order of the table.
+[[nodiscard]] std::vector<std::string> odometry_system_names();
+
+/// Makes the systems with these names; only "ours" uses `options`.
+/// Throws OptionError for an unknown name (the message gives the nearest) or a bad option.
+[[nodiscard]] std::vector<Contestant> make_contestants(const std::vector<std::string>& names,
+                                                       const Camera& camera,
+                                                       const TrackerOptions& options);
+
+/// The result of one system.
 struct ContestantResult {
   std::string name;
   std::string description;
-  bool built_in = true;                        ///< if not, nothing below says anything
-  std::size_t lost = 0;                        ///< frames without a pose of their own
-  std::vector<StampedPose> poses;              ///< one a frame: a lost one keeps the pose before it
-  Statistics cpu;                              ///< CPU time of the calling thread a frame [s]
-  std::optional<EvaluationReport> evaluation;  ///< empty without a reference it can be held against
+  bool built_in = true;            ///< if false, the members below have no meaning
+  std::size_t lost = 0;            ///< number of frames without a pose of their own
+  std::vector<StampedPose> poses;  ///< one for each frame; a lost frame repeats the last pose
+  Statistics cpu;                  ///< CPU time of the calling thread for a frame [s]
+  std::optional<EvaluationReport> evaluation;  ///< empty without a usable reference
 };
 
 struct OdometryBenchmark {
   FrameRange frames;
-  Statistics decoding;  ///< CPU time of reading a frame, which is in no system's time [s]
+  Statistics decoding;  ///< CPU time of reading a frame, which no system is charged [s]
   std::vector<ContestantResult> results;
 };
 
 /// Called with the number of frames done and their total.
 using BenchmarkProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Hands every frame to every system in turn, so that whatever else the machine does slows all of
-/// them alike. Everything a system does must happen in the calling thread, or its time is not seen.
-/// Every system is judged on every frame: losing some does not make its figures better.
+/// Gives every frame to every system in turn, so that other work of the machine slows all of them
+/// alike. A system must do its work in the calling thread, because only the time of that thread is
+/// measured. Every system is judged on every frame: losing frames does not make its figures better.
 [[nodiscard]] OdometryBenchmark run_odometry_benchmark(const Dataset& data,
                                                        const FrameRange& frames,
                                                        const std::vector<Contestant>& contestants,

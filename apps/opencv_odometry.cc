@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/opencv_odometry.h"
 
+#ifdef CVO_SLAM_HAS_OPENCV_RGBD
+
 #include <limits>
 #include <utility>
 
@@ -33,8 +35,8 @@ cv::Ptr<cv::rgbd::Odometry> make_odometry(OpencvMethod method, const PinholeCame
   return nullptr;
 }
 
-/// Makes of a frame what OpenCV's odometries expect: grey levels, and depth in metres with NaN for
-/// none, both without distortion.
+/// Converts a frame to what the odometries of OpenCV expect: grey levels, and depth in metres with
+/// NaN for missing values, both without distortion.
 class FrameConverter {
  public:
   explicit FrameConverter(const Camera& camera) : depth_scale_(camera.depth_scale) {
@@ -89,14 +91,14 @@ class OpencvOdometry final : public OdometrySystem {
   }
 
  private:
-  /// What is computed of a frame for one pair, its pyramids, is kept in it for the next.
+  /// The frames keep the pyramids that were computed for them, for the next pair.
   [[nodiscard]] std::optional<SE3> compute(cv::Ptr<OdometryFrame>& current,
                                            cv::Ptr<OdometryFrame>& previous) const {
     try {
       cv::Mat T_previous_current;
       if (!odometry_->compute(current, previous, T_previous_current)) return std::nullopt;
       return to_se3(T_previous_current);
-    } catch (const cv::Exception&) {  // an image it cannot work with, e.g. one without any depth
+    } catch (const cv::Exception&) {  // an unusable image, e.g. one without any depth
       return std::nullopt;
     }
   }
@@ -115,3 +117,16 @@ std::unique_ptr<OdometrySystem> make_opencv_odometry(OpencvMethod method, const 
 }
 
 }  // namespace cvo_slam
+
+#else
+
+namespace cvo_slam {
+
+std::unique_ptr<OdometrySystem> make_opencv_odometry(OpencvMethod /*method*/,
+                                                     const Camera& /*camera*/) {
+  return nullptr;
+}
+
+}  // namespace cvo_slam
+
+#endif

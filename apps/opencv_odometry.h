@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "cvo_slam/apps/odometry_system.h"
+#include "cvo_slam/apps/odometry_benchmark.h"
 
 namespace cvo_slam {
 
@@ -14,11 +14,11 @@ enum class OpencvMethod {
   kIcp,      ///< cv::rgbd::ICPOdometry: point-to-plane error (KinectFusion's)
 };
 
-/// OpenCV's odometry with its default options, each frame registered to the frame before it. Images
-/// are undistorted first, because these methods know a pinhole camera only. On TUM fr1/rpy that
-/// helps two of them and leaves the third (ATE raw and undistorted: RgbdICPOdometry 54 and 51 mm,
-/// ICPOdometry 70 and 54 mm, RgbdOdometry 56 and 56 mm, with one and two pairs lost).
-/// Null where OpenCV was built without its contrib module rgbd.
+/// Makes an odometry of OpenCV with its default options, each frame registered to the frame before
+/// it. Images are undistorted first, because these methods know only a pinhole camera. On TUM
+/// fr1/rpy this helps two of them and does not change the third (ATE raw and undistorted:
+/// RgbdICPOdometry 54 and 51 mm, ICPOdometry 70 and 54 mm, RgbdOdometry 56 and 56 mm, with one and
+/// two pairs lost). Returns null if OpenCV was built without its contrib module rgbd.
 [[nodiscard]] std::unique_ptr<OdometrySystem> make_opencv_odometry(OpencvMethod method,
                                                                    const Camera& camera);
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/io/g2o.h"
@@ -27,7 +27,7 @@ struct OptimizeArguments {
   bool json = false;
 };
 
-/// A graph's size and costs, in either convention.
+/// The cost of a graph in the conventions of Ceres and of g2o.
 struct GraphCosts {
   double ceres = 0;
   double g2o = 0;
@@ -49,7 +49,7 @@ std::size_t count_parts(const PoseGraph& graph) {
   return *std::max_element(components.begin(), components.end()) + 1;
 }
 
-/// Sets the option for where to start; kIdentity forgets the file's poses, fixed ones apart.
+/// Sets the option for the initial poses; kIdentity also resets every pose that is not fixed.
 void choose_initial_poses(InitialPoses initial, PoseGraph& graph, OptimizerOptions& options) {
   switch (initial) {
     case InitialPoses::kAuto:
@@ -119,52 +119,45 @@ int run_optimize(const OptimizeArguments& arguments) {
   return report.summary.converged ? kDone : kFailed;
 }
 
-template <typename E>
-auto choice(std::vector<std::pair<std::string, E>> names) {
-  return CLI::CheckedTransformer(std::move(names)).description("");
-}
-
-void add_options(CLI::App& command, OptimizeArguments& arguments) {
+void add_options(Command& command, OptimizeArguments& arguments) {
   OptimizerOptions& options = arguments.options;
-  command.add_option("in", arguments.input, "A pose graph in g2o format (SE3:QUAT)")->required();
-  command.add_option("out", arguments.output, "Where the optimised graph is written")->required();
-  command
-      .add_option("--init", arguments.initial,
-                  "auto, file, chordal or identity: where the search starts. auto = at the file's "
-                  "poses or at the chordal ones, whichever cost less; identity = auto with all "
-                  "poses set to the identity first (default auto)")
-      ->transform(choice<InitialPoses>({{"auto", InitialPoses::kAuto},
-                                        {"file", InitialPoses::kFile},
-                                        {"chordal", InitialPoses::kChordal},
-                                        {"identity", InitialPoses::kIdentity}}));
-  command
-      .add_option("--loss", options.loss,
-                  "none, huber, cauchy or gnc: of edges that are not from one vertex to the next; "
-                  "gnc finds wrong ones among them (default none)")
-      ->transform(choice<RobustLoss>({{"none", RobustLoss::kNone},
-                                      {"huber", RobustLoss::kHuber},
-                                      {"cauchy", RobustLoss::kCauchy},
-                                      {"gnc", RobustLoss::kGnc}}));
-  command.add_option("--loss-scale", options.loss_scale,
-                     "Standard deviations above which an edge is robustified (default 4.1)");
-  command
-      .add_option("--solver", options.solver,
-                  "suitesparse or eigen: sparse Cholesky factorisation (default suitesparse)")
-      ->transform(choice<LinearSolver>(
-          {{"suitesparse", LinearSolver::kSuiteSparse}, {"eigen", LinearSolver::kEigen}}));
-  command.add_option("--max-iterations", options.max_iterations,
-                     "Most iterations of a solve (default 100)");
-  command.add_flag("--json", arguments.json, "Print one JSON object instead of a table");
+  command.add("in", &arguments.input, "A pose graph in g2o format (SE3:QUAT)").required();
+  command.add("out", &arguments.output, "File for the optimised graph").required();
+  command.add_choice<InitialPoses, InitialPoses>(
+      "--init", &arguments.initial,
+      {{"auto", InitialPoses::kAuto},
+       {"file", InitialPoses::kFile},
+       {"chordal", InitialPoses::kChordal},
+       {"identity", InitialPoses::kIdentity}},
+      "auto, file, chordal or identity: the poses that the search starts from. auto = those of the "
+      "file or the chordal ones, whichever cost less; identity = auto with all poses set to the "
+      "identity first (default auto)");
+  command.add_choice<RobustLoss, RobustLoss>(
+      "--loss", &options.loss,
+      {{"none", RobustLoss::kNone},
+       {"huber", RobustLoss::kHuber},
+       {"cauchy", RobustLoss::kCauchy},
+       {"gnc", RobustLoss::kGnc}},
+      "none, huber, cauchy or gnc: the robust loss of edges that do not join consecutive vertices; "
+      "gnc also finds the wrong ones among them (default none)");
+  command.add("--loss-scale", &options.loss_scale,
+              "Standard deviations above which an edge is robustified (default 4.1)");
+  command.add_choice<LinearSolver, LinearSolver>(
+      "--solver", &options.solver,
+      {{"suitesparse", LinearSolver::kSuiteSparse}, {"eigen", LinearSolver::kEigen}},
+      "suitesparse or eigen: the sparse Cholesky factorisation (default suitesparse)");
+  command.add("--max-iterations", &options.max_iterations,
+              "Largest number of iterations of a solve (default 100)");
+  command.add("--json", &arguments.json, "Print one JSON object instead of a table");
 }
 
 }  // namespace
 
 void add_optimize_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<OptimizeArguments>();
-  CLI::App* command = app.add_subcommand("optimize", "Optimises a pose graph, the back-end alone");
-  add_options(*command, *arguments);
-  command->callback(
-      [&action, arguments] { action = [arguments] { return run_optimize(*arguments); }; });
+  Command command(app, "optimize", "Optimise a pose graph with the back-end alone");
+  add_options(command, *arguments);
+  command.on_parsed(action, [arguments] { return run_optimize(*arguments); });
 }
 
 }  // namespace cvo_slam

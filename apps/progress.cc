@@ -10,7 +10,7 @@
 namespace cvo_slam {
 namespace {
 
-/// Unlike fmt::print() and streams it does not mind where the text cannot be written.
+/// Ignores a stderr that cannot be written, unlike fmt::print() and streams.
 void write_to_stderr(const std::string& text) {
   static_cast<void>(std::fputs(text.c_str(), stderr));
   static_cast<void>(std::fflush(stderr));

@@ -8,18 +8,18 @@
 
 namespace cvo_slam {
 
-/// Reports on stderr how far a run is: a bar with fps and ETA on a terminal, elsewhere a plain line
-/// at every tenth of the way. Never fails: a stderr that cannot be written is no reason to end a
-/// run.
+/// Shows the progress of a run on stderr: a bar with fps and ETA on a terminal, otherwise a plain
+/// line after every tenth of the frames. It never fails: a stderr that cannot be written is no
+/// reason to end a run.
 class Progress {
  public:
   Progress(std::size_t total, bool quiet);
-  /// Ends the bar's line where the way was not gone to its end.
+  /// Ends the line of a bar that did not reach its end.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of the frames are through; `state` is a word on the last one, or empty.
+  /// Reports that `done` frames are finished; `state` describes the last one, or is empty.
   void update(std::size_t done, const std::string& state);
 
  private:

@@ -3,14 +3,16 @@
 #include "cvo_slam/apps/registration_plots.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/sparsity_image.h"
-#include "cvo_slam/apps/step_plot.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/core/map.h"
 #include "cvo_slam/render/picture.h"
@@ -18,10 +20,70 @@
 namespace cvo_slam {
 namespace {
 
+/// Samples a curve over t / unit; the line is broken where it leaves [-limit, limit].
+template <typename Curve>
+Series sampled(double begin, double end, double unit, double limit, const Curve& curve) {
+  constexpr int kSamples = 80;
+  Series series;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = begin + (end - begin) * i / kSamples;
+    const double value = curve(t);
+    series.x.push_back(t / unit);
+    series.y.push_back(std::abs(value) <= limit ? value : std::numeric_limits<double>::quiet_NaN());
+  }
+  return series;
+}
+
+/// The style of the line of an expansion.
+struct ExpansionStyle {
+  int order;
+  const char* name;
+  Color color;
+  LinePattern pattern;
+};
+
+constexpr std::array kExpansions = {
+    ExpansionStyle{2, "2nd order", kVermilion, LinePattern::kDashed},
+    ExpansionStyle{4, "4th order", kBlue, LinePattern::kSolid}};
+
+void add_curves(const StepCurve& curve, double begin, double end, double unit,
+                std::vector<Series>& series) {
+  const auto exact = [&](double t) { return curve.exact(t); };
+  // The line of an expansion ends where it is far from the curve.
+  const double limit =
+      1.6 * std::max({std::abs(exact(begin)), std::abs(exact(end)), exact(curve.step(4))});
+  const auto add = [&](Series line, const char* label, Color color, double width) {
+    line.label = label;
+    line.color = color;
+    line.width = width;
+    series.push_back(std::move(line));
+  };
+  add(sampled(begin, end, unit, limit, exact), "exact", kGrey, 5);
+  for (const ExpansionStyle& style : kExpansions) {
+    add(sampled(begin, end, unit, limit, [&](double t) { return curve.expanded(t, style.order); }),
+        style.name, style.color, 2);
+    series.back().pattern = style.pattern;
+  }
+}
+
+/// Adds the steps that the expansions choose, on the exact curve.
+void add_steps(const StepCurve& curve, double unit, std::vector<Series>& series) {
+  constexpr double kRadius = 6;  // [px]
+  for (const ExpansionStyle& style : kExpansions) {
+    const double t = curve.step(style.order);
+    series.push_back({fmt::format("step of {}", style.name),
+                      {t / unit},
+                      {curve.exact(t)},
+                      style.color,
+                      SeriesStyle::kPoints,
+                      kRadius});
+  }
+}
+
 constexpr Color kColorOfA = kBlue;
 constexpr Color kColorOfB = kOrange;
 
-/// Shades of one colour from dark to light, as the point was.
+/// Replaces the colours of points by shades of one colour with the same brightness.
 void tint(std::vector<MapPoint>& points, Color color) {
   for (MapPoint& point : points) {
     const auto& [red, green, blue] = point.color;
@@ -36,7 +98,7 @@ void tint(std::vector<MapPoint>& points, Color color) {
   }
 }
 
-/// What a frame saw, in one colour.
+/// Returns the surface that a frame saw, in shades of one colour.
 std::vector<MapPoint> surface_of(const RgbdFrame& frame, const Camera& camera, const SE3& T_a_frame,
                                  Color color) {
   FusionOptions options;
@@ -57,7 +119,7 @@ double median_depth(const PointCloud& cloud) {
   return *middle;
 }
 
-/// From the right of camera a and above it: so that depth is seen too.
+/// Returns a view from the right of camera a and above it, which also shows depth.
 render::MapView view_beside(const FramePair& pair, double depth) {
   constexpr double kWidth = 880;  // [px]
   constexpr double kAzimuth = -18 * std::numbers::pi / 180;
@@ -97,8 +159,8 @@ Panel surface_panel(const std::string& title, const FramePair& pair, const SE3& 
   return panel;
 }
 
-/// The pixels of a's image at which points are, `T_a_points` moves them there; where one is behind
-/// the camera it is its own.
+/// Returns the pixels at which points appear in the image of a; a point behind the camera keeps its
+/// own pixel.
 std::vector<Eigen::Vector2d> pixels_in_a(const PointCloud& points, const SE3& T_a_points,
                                          const PinholeCamera& camera) {
   std::vector<Eigen::Vector2d> pixels;
@@ -110,7 +172,8 @@ std::vector<Eigen::Vector2d> pixels_in_a(const PointCloud& points, const SE3& T_
   return pixels;
 }
 
-/// Both clouds in the order in which a saw what they are registered to: that of the diagonal.
+/// Draws the kernel matrix with both clouds in the order of the pixels of a, so that matching
+/// points are near the diagonal.
 Panel sparsity_panel(const FramePair& pair, const FrameRegistration& registration, const SE3& T_a_b,
                      const CloudSimilarity& similarity, const KernelOptions& kernel) {
   constexpr int kSide = 600;  // [px]
@@ -132,8 +195,9 @@ Panel sparsity_panel(const FramePair& pair, const FrameRegistration& registratio
   return panel;
 }
 
-}  // namespace
-
+/// Both frames' surfaces from one view before and after the registration, a in shades of blue and b
+/// in shades of orange, each beside the sparsity pattern of the kernel matrix at the last length
+/// scale.
 Figure registration_figure(const FramePair& pair, const FrameRegistration& registration,
                            const KernelOptions& kernel) {
   const auto renderer = render::make_renderer();
@@ -148,6 +212,27 @@ Figure registration_figure(const FramePair& pair, const FrameRegistration& regis
                    surface_panel(fmt::format("after {} iterations", registration.result.iterations),
                                  pair, T, view, *renderer),
                    sparsity_panel(pair, registration, T, registration.after, kernel)};
+  return figure;
+}
+
+}  // namespace
+
+Figure step_figure(const StepCurve& curve) {
+  Figure figure;
+  figure.width = 1000;
+  figure.height = 620;
+  figure.panels = {{}};
+  Panel& panel = figure.panels[0];
+  panel.title = fmt::format("Objective along a step of the gradient flow, length scale {} m",
+                            curve.length_scale());
+  panel.y_label = "G(t) = F(h exp(t xi)) - F(h)";
+  if (!curve.has_slope()) return figure;
+  const double longest = std::max(curve.step(2), curve.step(4));
+  // The time of the flow is far below 1, and is given in a power of ten.
+  const double power = std::floor(std::log10(longest));
+  panel.x_label = fmt::format("t [1e{:.0f}]", power);
+  add_curves(curve, -0.4 * longest, 1.6 * longest, std::pow(10, power), panel.series);
+  add_steps(curve, std::pow(10, power), panel.series);
   return figure;
 }
 

@@ -6,20 +6,19 @@
 
 #include "cvo_slam/apps/frame_pair.h"
 #include "cvo_slam/apps/frame_registration.h"
+#include "cvo_slam/frontend/inspection.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/plot/figure.h"
 
 namespace cvo_slam {
 
-/// Both frames' surfaces seen from one place before and after the registration, a in shades of blue
-/// and b in shades of orange, each beside the sparsity pattern of the kernel matrix at the last
-/// length scale.
-[[nodiscard]] Figure registration_figure(const FramePair& pair,
-                                         const FrameRegistration& registration,
-                                         const KernelOptions& kernel);
+/// The objective along a step of the gradient flow, exact and expanded to second and fourth order,
+/// with the steps that the expansions choose.
+[[nodiscard]] Figure step_figure(const StepCurve& curve);
 
-/// Writes registration.{png,svg} and, of the first step of the flow at the first length scale,
-/// step.{png,svg} into the folder, which is made where it is missing. Throws OutputError.
+/// Writes two figures into the folder, which is made if it is missing. registration.{png,svg}: both
+/// frames before and after, and the sparsity pattern of the kernel matrix. step.{png,svg}: the
+/// objective along the first step of the flow at the first length scale. Throws OutputError.
 void write_registration_plots(const std::filesystem::path& folder, const FramePair& pair,
                               const FrameRegistration& registration,
                               const RegistrationOptions& options);

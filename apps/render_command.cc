@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -11,7 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/argument_text.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/scene_files.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/trajectory_files.h"
@@ -37,14 +37,6 @@ struct RenderArguments {
   int frames = 0;
 };
 
-/// Throws OptionError where the text is not "<width>x<height>".
-void parse_size(const std::string& text, render::ViewOptions& view) {
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &view.width, &view.height, &rest) != 2) {
-    throw OptionError(fmt::format("--size {} must be <width>x<height>, e.g. 1920x1080", text));
-  }
-}
-
 const std::vector<std::pair<std::string, Vector3>>& up_directions() {
   static const std::vector<std::pair<std::string, Vector3>> directions = {
       {"x", Vector3::UnitX()},   {"y", Vector3::UnitY()},   {"z", Vector3::UnitZ()},
@@ -60,14 +52,14 @@ Vector3 estimate_up(const render::MapScene& scene) {
   return render::estimate_up(cameras, scene.points);
 }
 
-/// As the user says; nothing where that is "auto".
+/// Sets the up direction that the user names; "auto" leaves the estimated one.
 void apply_up(const std::string& name, render::MapScene& scene) {
   for (const auto& [direction, up] : up_directions()) {
     if (direction == name) scene.up = up;
   }
 }
 
-/// A single trajectory is coloured by time; of several, each has its own colour.
+/// Colours a single trajectory by time; several trajectories keep a colour each.
 void choose_colors(PathColor color, render::MapScene& scene) {
   if (color != PathColor::kTime || scene.paths.size() != 1) return;
   render::Path path = std::move(scene.paths[0]);
@@ -100,13 +92,13 @@ render::MapScene load_scene(const RenderArguments& arguments) {
   return scene;
 }
 
-/// "out.png" of frame 7 is "out_0007.png".
+/// Returns "out_0007.png" for frame 7 of "out.png".
 std::filesystem::path numbered(const std::filesystem::path& file, int frame) {
   return file.parent_path() /
          fmt::format("{}_{:04}{}", file.stem().string(), frame, file.extension().string());
 }
 
-/// The options of one frame of a tour: once around, or along the path.
+/// Returns the view of one frame of a tour, which goes once around or along the path.
 render::ViewOptions view_of_frame(const RenderArguments& arguments, int frame) {
   render::ViewOptions view = arguments.view;
   const double share = static_cast<double>(frame) / arguments.frames;
@@ -138,7 +130,9 @@ void draw_tour(const RenderArguments& arguments, const render::MapScene& scene,
 }
 
 int run_render(RenderArguments arguments) {
-  parse_size(arguments.size, arguments.view);
+  const PixelSize size = parse_size(arguments.size, "1920x1080");
+  arguments.view.width = size.width;
+  arguments.view.height = size.height;
   arguments.view.azimuth = arguments.azimuth * std::numbers::pi / 180;
   constexpr int kFramesOfAVideo = 120;
   if (!arguments.video.empty() && arguments.frames == 0) arguments.frames = kFramesOfAVideo;
@@ -159,71 +153,62 @@ int run_render(RenderArguments arguments) {
   return kDone;
 }
 
-template <typename E>
-auto choice(std::vector<std::pair<std::string, E>> names) {
-  return CLI::CheckedTransformer(std::move(names)).description("");
+void add_view_options(Command& command, RenderArguments& arguments) {
+  command.add_choice("--view", &arguments.view.kind, render::view_names(),
+                     "top, front, side (orthographic), iso, turntable or follow (default iso)");
+  command.add("--size", &arguments.size, "Size of the picture, <width>x<height> [px], up to 4096")
+      .show_default();
+  command.add("--azimuth", &arguments.azimuth,
+              "Angle of the view turntable about the up direction [deg] (default 0)");
+  command
+      .add("--at", &arguments.view.progress,
+           "Position of the view follow on the trajectory, 0 to 1 (default 1)")
+      .in_range(0.0, 1.0);
+  command
+      .add("--turntable", &arguments.frames,
+           "Draw n pictures once around, out_0000.png and so on; with --view follow along the "
+           "trajectory")
+      .in_range(1, 10000);
+  command.add(
+      "--video", &arguments.video,
+      "Write the same pictures as a video, Motion JPEG in a .avi file, 25 pictures a second "
+      "(default 120 pictures)");
 }
 
-void add_options(CLI::App& command, RenderArguments& arguments) {
+void add_options(Command& command, RenderArguments& arguments) {
   command
-      .add_option("inputs", arguments.inputs,
-                  "Folder of a run, trajectories (TUM format), a .g2o or a .ply file; several are "
-                  "drawn together")
-      ->required();
-  command.add_option("-o,--out", arguments.out, "The picture: .png or .jpg");
+      .add("inputs", &arguments.inputs,
+           "Folder of a run, trajectories (TUM format), a .g2o or a .ply file; several are drawn "
+           "together")
+      .required();
+  command.add("-o,--out", &arguments.out, "The picture to write: .png or .jpg");
+  add_view_options(command, arguments);
+  command.add("--reference", &arguments.reference,
+              "The true trajectory, to be drawn too; its z axis is taken for up");
+  command.add_choice<PathColor, PathColor>(
+      "--color", &arguments.color,
+      {{"time", PathColor::kTime}, {"error", PathColor::kError}, {"plain", PathColor::kPlain}},
+      "time, error (needs --reference) or plain: the colours of the trajectory (default time)");
+  command.add("--up", &arguments.up, "Up direction of the world: auto, x, y, z, -x, -y or -z")
+      .one_of({"auto", "x", "y", "z", "-x", "-y", "-z"})
+      .show_default();
+  command.add_choice("--backend", &arguments.renderer, render::renderer_names(),
+                     "auto, osmesa, egl or splat: the renderer; auto = osmesa, or splat if that "
+                     "does not work (default auto)");
   command
-      .add_option("--view", arguments.view.kind,
-                  "top, front, side (orthographic), iso, turntable or follow (default iso)")
-      ->transform(choice(render::view_names()));
-  command.add_option("--size", arguments.size, "<width>x<height> [px], up to 4096")
-      ->capture_default_str();
-  command.add_option("--azimuth", arguments.azimuth,
-                     "Of the view turntable: turned about up by so much [deg]");
-  command
-      .add_option("--at", arguments.view.progress,
-                  "Of the view follow: where on the trajectory, 0 to 1 (default 1)")
-      ->check(CLI::Range(0.0, 1.0));
-  command
-      .add_option("--turntable", arguments.frames,
-                  "So many pictures once around, out_0000.png and on; with --view follow along the "
-                  "trajectory")
-      ->check(CLI::Range(1, 10000));
-  command.add_option(
-      "--video", arguments.video,
-      "The same as a film, Motion JPEG in a .avi file, 25 pictures a second (default "
-      "120 pictures)");
-  command.add_option("--reference", arguments.reference,
-                     "The true trajectory, drawn too; its z is up");
-  command
-      .add_option("--color", arguments.color,
-                  "time, error (needs --reference) or plain: of the trajectory (default time)")
-      ->transform(choice<PathColor>({{"time", PathColor::kTime},
-                                     {"error", PathColor::kError},
-                                     {"plain", PathColor::kPlain}}));
-  command.add_option("--up", arguments.up, "auto, x, y, z, -x, -y or -z: where up is in the world")
-      ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z"}))
-      ->capture_default_str();
-  command
-      .add_option("--backend", arguments.renderer,
-                  "auto, osmesa, egl or splat; auto = osmesa, or splat where that does not work "
-                  "(default auto)")
-      ->transform(choice(render::renderer_names()));
-  command
-      .add_option("--point-size", arguments.point_size,
-                  "Diameter of the map's points [m] (default: by their density)")
-      ->check(CLI::Range(0.0, 100.0));
-  command.add_option("--title", arguments.title, "Written on the picture");
+      .add("--point-size", &arguments.point_size,
+           "Diameter of the points of the map [m] (default: from their density)")
+      .in_range(0.0, 100.0);
+  command.add("--title", &arguments.title, "Text to write on the picture");
 }
 
 }  // namespace
 
 void add_render_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command =
-      app.add_subcommand("render", "Draw a map, trajectories or a graph, without a display");
-  add_options(*command, *arguments);
-  command->callback(
-      [&action, arguments] { action = [arguments] { return run_render(*arguments); }; });
+  Command command(app, "render", "Draw a map, trajectories or a graph, without a display");
+  add_options(command, *arguments);
+  command.on_parsed(action, [arguments] { return run_render(*arguments); });
 }
 
 }  // namespace cvo_slam

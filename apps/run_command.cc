@@ -3,7 +3,6 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -12,13 +11,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "cvo_slam/apps/command.h"
-#include "cvo_slam/apps/interrupt.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/loop_pictures.h"
-#include "cvo_slam/apps/odometry_run.h"
+#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/apps/run_files.h"
 #include "cvo_slam/apps/run_report.h"
-#include "cvo_slam/apps/slam_run.h"
+#include "cvo_slam/apps/sequence_run.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
@@ -42,7 +40,7 @@ struct RunArguments {
   LoopPictures loop_pictures = LoopPictures::kAccepted;
 };
 
-/// Makes a folder that was not there: `name` in `parent`, or `name`_2, `name`_3, ...
+/// Makes and returns a new folder: `name` in `parent` or, if that exists, `name`_2, `name`_3, ...
 std::filesystem::path make_new_folder(const std::filesystem::path& parent,
                                       const std::string& name) {
   auto folder = parent / name;
@@ -50,21 +48,22 @@ std::filesystem::path make_new_folder(const std::filesystem::path& parent,
   return folder;
 }
 
-/// results/<sequence>/<time>, with a link `latest` beside it where a link can be made.
+/// Makes and returns results/<sequence>/<time>, with a link `latest` beside it if the file system
+/// has links.
 std::filesystem::path default_folder(const std::string& sequence) {
   const auto parent = std::filesystem::path("results") / sequence;
   const auto time = fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::localtime(std::time(nullptr)));
   auto folder = make_new_folder(parent, time);
   const auto link = parent / "latest";
   std::error_code ignored;
-  // Where a user put a file of that name, it stays.
+  // A file of that name that a user put there stays.
   if (std::filesystem::is_symlink(link, ignored)) std::filesystem::remove(link, ignored);
   std::filesystem::create_directory_symlink(folder.filename(), link, ignored);
   return folder;
 }
 
-/// Makes the folder, without files of an earlier run, and proves that it can be written to before
-/// hours of work go into it.
+/// Makes the folder, removes the files of an earlier run from it, and proves that it can be written
+/// to before hours of work go into the run.
 void prepare_folder(const std::filesystem::path& folder) {
   make_folder(folder);
   remove_run(folder);
@@ -74,13 +73,13 @@ void prepare_folder(const std::filesystem::path& folder) {
 void print_result(const RunArguments& arguments, const RunReport& report,
                   const std::filesystem::path& folder) {
   if (arguments.json) {
-    fmt::print("{}\n", to_json(report).dump(2));
+    fmt::print("{}\n", json_text(report));
   } else if (!arguments.quiet) {
     fmt::print("{}{:<12} {}\n", to_table(report), "files", folder.string());
   }
 }
 
-/// Writes the files and prints the figures, these even where a file cannot be written.
+/// Writes the files and prints the figures; the figures even if a file cannot be written.
 void deliver(const RunArguments& arguments, RunReport& report,
              const std::filesystem::path& folder) {
   std::exception_ptr failure;
@@ -93,7 +92,7 @@ void deliver(const RunArguments& arguments, RunReport& report,
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Null = the built-in one.
+/// Returns the vocabulary that --vocabulary names; null means the built-in one.
 std::shared_ptr<const Vocabulary> vocabulary_of(const RunArguments& arguments) {
   if (arguments.vocabulary.empty()) return nullptr;
   if (arguments.mode != "slam") {
@@ -140,40 +139,39 @@ int run(const RunArguments& arguments) {
 
 void add_run_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<RunArguments>();
-  auto* command =
-      app.add_subcommand("run", "Track a sequence; write trajectory, map, plots and a report");
-  arguments->tracking.add_to(*command);
+  Command command(app, "run", "Track a sequence; write trajectory, map, plots and a report");
+  arguments->tracking.add_to(command);
   command
-      ->add_option("--mode", arguments->mode,
-                   "odometry = the tracker alone; graph = with a graph of keyframes; slam = and "
-                   "with places that are recognised")
-      ->check(CLI::IsMember({"odometry", "graph", "slam"}))
-      ->capture_default_str();
-  command->add_option(
-      "--vocabulary", arguments->vocabulary,
-      "Vocabulary file for --mode slam, ours or ORB-SLAM's text (default: built in)");
-  command->add_option("--out", arguments->out,
-                      "Folder for the files (default results/<sequence>/<time>, linked as latest)");
+      .add("--mode", &arguments->mode,
+           "odometry = the tracker alone; graph = also optimise a graph of keyframes; slam = also "
+           "recognise places and close loops")
+      .one_of({"odometry", "graph", "slam"})
+      .show_default();
+  command.add(
+      "--vocabulary", &arguments->vocabulary,
+      "Vocabulary file for --mode slam, ours or the text format of ORB-SLAM (default: built "
+      "in)");
+  command.add("--out", &arguments->out,
+              "Folder for the files (default results/<sequence>/<time>, linked as latest)");
   command
-      ->add_option("--max-lost", arguments->max_lost,
-                   "Share of lost frames above which the exit code is 3")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command->add_flag("--dump-config", arguments->dump_config,
-                    "Print the effective options as YAML with their documentation, and end");
-  command->add_flag("--no-map", arguments->no_map,
-                    "Neither map.ply nor map.png: saves their memory and time");
-  const std::map<std::string, LoopPictures> loop_pictures = {{"none", LoopPictures::kNone},
-                                                             {"accepted", LoopPictures::kAccepted},
-                                                             {"all", LoopPictures::kAll}};
-  command
-      ->add_option("--loop-pictures", arguments->loop_pictures,
-                   "none, accepted or all: the recognised places whose images are drawn into the "
-                   "folder loops (default accepted)")
-      ->transform(CLI::CheckedTransformer(loop_pictures).description(""));
-  command->add_flag("--quiet", arguments->quiet, "No progress, no table");
-  command->add_flag("--json", arguments->json, "Print the report as JSON in place of the table");
-  command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+      .add("--max-lost", &arguments->max_lost,
+           "Share of lost frames above which the exit code is 3")
+      .in_range(0.0, 1.0)
+      .show_default();
+  command.add("--dump-config", &arguments->dump_config,
+              "Print the effective options as YAML with their documentation, and stop");
+  command.add("--no-map", &arguments->no_map,
+              "Write neither map.ply nor map.png: saves their memory and time");
+  command.add_choice<LoopPictures, LoopPictures>(
+      "--loop-pictures", &arguments->loop_pictures,
+      {{"none", LoopPictures::kNone},
+       {"accepted", LoopPictures::kAccepted},
+       {"all", LoopPictures::kAll}},
+      "none, accepted or all: the loop candidates whose images are drawn into the folder loops "
+      "(default accepted)");
+  command.add("--quiet", &arguments->quiet, "Show no progress and no table");
+  command.add("--json", &arguments->json, "Print the report as JSON instead of the table");
+  command.on_parsed(action, [arguments] { return run(*arguments); });
 }
 
 }  // namespace cvo_slam

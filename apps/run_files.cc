@@ -5,8 +5,15 @@
 #include <array>
 #include <system_error>
 
+#include "cvo_slam/apps/evaluation_plots.h"
+#include "cvo_slam/apps/graph_report.h"
 #include "cvo_slam/apps/loop_pictures.h"
+#include "cvo_slam/apps/page/run_page.h"
+#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/io/options_file.h"
+#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/plot/trajectory_plot.h"
 
 namespace cvo_slam {
 namespace {
@@ -14,21 +21,40 @@ namespace {
 constexpr std::array kFiles = {
     RunFile{"report.html", "this page"},
     RunFile{"report.json", "all figures, for programs"},
-    RunFile{"trajectory.txt", "the camera's path, TUM format, lost frames as comments"},
-    RunFile{"trajectory_online.txt", "what was known of each frame at its time"},
-    RunFile{"frames.csv", "a line a frame: status, reason, overlap, iterations, time"},
-    RunFile{"loops.csv", "a line a candidate for a constraint: scores, verdict, reason"},
+    RunFile{"trajectory.txt", "the path of the camera, TUM format, lost frames as comments"},
+    RunFile{"trajectory_online.txt", "the pose of each frame as it was known at its time"},
+    RunFile{"frames.csv", "one line for each frame: status, reason, overlap, iterations, time"},
+    RunFile{"loops.csv", "one line for each loop candidate: scores, verdict, reason"},
     RunFile{"keyframes.txt", "poses of the keyframes, TUM format"},
     RunFile{"graph.g2o", "the pose graph"},
     RunFile{"edges.txt", "the kinds of the graph's edges"},
-    RunFile{"map.ply", "the map's points with colours and normals"},
+    RunFile{"map.ply", "the points of the map with colours and normals"},
     RunFile{"map.png", "the map with the path"},
-    RunFile{"trajectory.png", "the path from above, in front and aside"},
-    RunFile{"trajectory.svg", "the same by its lines"},
+    RunFile{"trajectory.png", "the path from above, from the front and from the side"},
+    RunFile{"trajectory.svg", "the same as vector graphics"},
     RunFile{"errors.png", "errors over time"},
-    RunFile{"errors.svg", "the same by its lines"},
+    RunFile{"errors.svg", "the same as vector graphics"},
     RunFile{"config.yaml", "the options of this run, for --config"},
 };
+
+/// Returns the poses that track() returned at the time, of all submaps.
+Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
+  Trajectory trajectory;
+  for (const auto& record : records) {
+    if (record.status == TrackingStatus::kTracked) {
+      trajectory.poses.push_back({record.stamp, record.T_world_camera});
+    } else {
+      trajectory.lost.push_back({record.stamp, record.reason});
+    }
+  }
+  return trajectory;
+}
+
+std::vector<NamedFigure> figures_of(const RunReport& report) {
+  const auto& poses = report.trajectory.poses;
+  if (!report.evaluation) return {{"trajectory", trajectory_figure({}, poses)}};
+  return evaluation_figures(report.data.reference(), poses, *report.evaluation);
+}
 
 }  // namespace
 
@@ -38,11 +64,31 @@ void remove_run(const std::filesystem::path& folder) {
   for (const RunFile& run_file : kFiles) {
     const auto file = folder / run_file.name;
     std::error_code ignored;
-    // A folder of that name is not a run's.
+    // A folder of that name does not belong to a run.
     if (std::filesystem::is_directory(std::filesystem::symlink_status(file, ignored))) continue;
     remove_file(file);
   }
   remove_loop_pictures(folder);
+}
+
+void write_run(const std::filesystem::path& folder, RunReport& report) {
+  write_tum(folder / "trajectory.txt", report.trajectory);
+  write_tum(folder / "trajectory_online.txt", online_trajectory(report.run.records));
+  write_file(folder / "frames.csv", frames_csv(report.run));
+  ProgramOptions options = report.options;
+  write_file(folder / "config.yaml", options_to_yaml(describe(options), true));
+  RunPictures pictures;
+  if (report.graph) {
+    write_loops(folder, *report.graph);
+    pictures.loops = write_loop_pictures(folder, report.data, report.graph->candidates,
+                                         report.loop_pictures, kMostLoopsOnPage, report.notes);
+  }
+  pictures.map =
+      write_run_map(folder, report.map, report.trajectory, report.data.reference(), report.notes);
+  write_file(folder / "report.json", json_text(report) + "\n");
+  pictures.figures = figures_of(report);
+  write_figures(folder, pictures.figures);
+  write_file(folder / "report.html", run_page(folder, report, pictures));
 }
 
 }  // namespace cvo_slam

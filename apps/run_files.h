@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <span>
 
+#include "cvo_slam/apps/run_report.h"
+
 namespace cvo_slam {
 
 /// A file that a run may leave in its folder.
@@ -13,11 +15,15 @@ struct RunFile {
   const char* content;  ///< for people
 };
 
-/// All of them but the pictures of loops (loop_pictures.h).
+/// All files of a run except the pictures of loops (loop_pictures.h).
 [[nodiscard]] std::span<const RunFile> run_files();
 
-/// Removes the files that an earlier run left in `folder`, so that none is taken for one of the
+/// Removes the files that an earlier run left in `folder`, so that none is taken for a file of the
 /// next run; other files stay. Throws OutputError.
 void remove_run(const std::filesystem::path& folder);
+
+/// Writes every file of a run into `folder`, which exists. Adds to the report's notes what a
+/// picture lacks. Throws OutputError.
+void write_run(const std::filesystem::path& folder, RunReport& report);
 
 }  // namespace cvo_slam

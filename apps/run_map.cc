@@ -26,7 +26,7 @@ std::vector<StampedPose> graph_keyframes(const GraphResult& graph) {
   return keyframes;
 }
 
-/// Of the tracker alone: the frames that became keyframes, where the trajectory has them.
+/// Returns the poses of the frames that became keyframes, in mode odometry.
 std::vector<StampedPose> tracked_keyframes(const OdometryRun& run,
                                            const std::map<Timestamp, SE3>& poses) {
   std::vector<StampedPose> keyframes;
@@ -38,10 +38,10 @@ std::vector<StampedPose> tracked_keyframes(const OdometryRun& run,
   return keyframes;
 }
 
-/// The scene of the map and the path in it.
+/// Makes a scene of the map, the path and the reference.
 render::MapScene make_run_scene(const Map& map, const Trajectory& trajectory,
-                                const std::vector<StampedPose>& reference,
-                                std::vector<std::string>& notes) {
+                             const std::vector<StampedPose>& reference,
+                             std::vector<std::string>& notes) {
   render::MapScene scene = render::make_scene(map);
   render::add_path_by_time(scene, "trajectory", trajectory.poses);
   if (reference.empty() || trajectory.poses.empty()) return scene;
@@ -53,7 +53,7 @@ render::MapScene make_run_scene(const Map& map, const Trajectory& trajectory,
   return scene;
 }
 
-/// Smaller than what `cvo_slam render` draws, because every run pays for it.
+/// Smaller than the pictures of `cvo_slam render`, because every run pays for it.
 constexpr render::ViewOptions kView = {.width = 1280, .height = 720};
 
 }  // namespace
@@ -91,13 +91,6 @@ cv::Mat write_run_map(const std::filesystem::path& folder, RunMap& run_map,
   run_map.renderer = renderer->name();
   run_map.cpu_seconds += process_cpu_seconds() - start;
   return picture.image;
-}
-
-nlohmann::ordered_json to_json(const RunMap& run_map) {
-  return {{"keyframes", run_map.map.keyframes.size()},
-          {"points", run_map.map.points.size()},
-          {"cpu_s", run_map.cpu_seconds},
-          {"renderer", run_map.renderer}};
 }
 
 }  // namespace cvo_slam

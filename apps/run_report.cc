@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/graph_report.h"
 #include "cvo_slam/apps/page/run_page.h"
 #include "cvo_slam/core/files.h"
@@ -17,13 +16,7 @@
 namespace cvo_slam {
 namespace {
 
-double median_cost(const OdometryRun& run, double FrameCost::*cost) {
-  std::vector<double> values;
-  for (const auto& frame : run.costs) values.push_back(frame.*cost);
-  return summarize(values).median;
-}
-
-/// Empty where the frame was not registered at all, as the first one.
+/// Returns an empty word if the frame was not registered at all, as the first one.
 std::string_view registration_word(const RegistrationResult& result) {
   switch (result.status) {
     case RegistrationStatus::kConverged:
@@ -34,37 +27,6 @@ std::string_view registration_word(const RegistrationResult& result) {
       return result.reason.empty() ? "" : "failed";
   }
   return "";
-}
-
-/// What track() answered at the time, of all segments.
-Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
-  Trajectory trajectory;
-  for (const auto& record : records) {
-    if (record.status == TrackingStatus::kTracked) {
-      trajectory.poses.push_back({record.stamp, record.T_world_camera});
-    } else {
-      trajectory.lost.push_back({record.stamp, record.reason});
-    }
-  }
-  return trajectory;
-}
-
-std::vector<NamedFigure> figures_of(const RunReport& report) {
-  const auto& poses = report.trajectory.poses;
-  if (!report.evaluation) return {{"trajectory", trajectory_figure({}, poses)}};
-  return evaluation_figures(report.data.reference(), poses, *report.evaluation);
-}
-
-/// An option's text as a number, a truth value or a list where it is one.
-nlohmann::ordered_json to_json(const std::string& text) {
-  auto json = nlohmann::ordered_json::parse(text, nullptr, false);
-  return json.is_discarded() ? nlohmann::ordered_json(text) : json;
-}
-
-nlohmann::ordered_json options_json(ProgramOptions options) {
-  nlohmann::ordered_json json;
-  for (const auto& option : describe(options).options()) json[option.key] = to_json(option.get());
-  return json;
 }
 
 std::string error_rows(const EvaluationReport& evaluation) {
@@ -85,44 +47,15 @@ std::string error_rows(const EvaluationReport& evaluation) {
 
 }  // namespace
 
+double median_cost(const OdometryRun& run, double FrameCost::*cost) {
+  std::vector<double> values;
+  for (const auto& frame : run.costs) values.push_back(frame.*cost);
+  return summarize(values).median;
+}
+
 double RunReport::lost_share() const {
   if (run.records.empty()) return 0;
   return static_cast<double>(trajectory.lost.size()) / static_cast<double>(run.records.size());
-}
-
-nlohmann::ordered_json to_json(const RunReport& report) {
-  const OdometryRun& run = report.run;
-  nlohmann::ordered_json json = {
-      {"sequence", report.data.name()},
-      {"kind", report.data.kind()},
-      {"camera", report.data.camera().name},
-      {"mode", report.mode},
-      {"version", CVO_SLAM_VERSION},
-      {"interrupted", run.interrupted},
-      {"frames",
-       {{"first", report.range.begin},
-        {"end", report.range.end},
-        {"step", report.range.step},
-        {"processed", run.records.size()},
-        {"tracked", report.trajectory.poses.size()},
-        {"lost", report.trajectory.lost.size()},
-        {"keyframes", run.keyframes()}}},
-      {"unpaired",
-       {{"color", report.data.unpaired().color}, {"depth", report.data.unpaired().depth}}},
-      {"path_m", path_length(report.trajectory.poses)},
-      {"cost",
-       {{"fps", run.fps()},
-        {"wall_s", run.seconds},
-        {"cpu_s", run.cpu_seconds},
-        {"read_ms_median", median_cost(run, &FrameCost::read_ms)},
-        {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
-        {"peak_memory_mb", run.peak_memory_mb}}}};
-  if (report.graph) json["graph"] = to_json(*report.graph);
-  json["map"] = to_json(report.map);
-  json["evaluation"] = report.evaluation ? to_json(*report.evaluation) : nullptr;
-  json["notes"] = report.notes;
-  json["options"] = options_json(report.options);
-  return json;
 }
 
 std::string to_table(const RunReport& report) {
@@ -165,26 +98,6 @@ std::string frames_csv(const OdometryRun& run) {
         run.costs[i].read_ms, run.costs[i].track_ms);
   }
   return csv;
-}
-
-void write_run(const std::filesystem::path& folder, RunReport& report) {
-  write_tum(folder / "trajectory.txt", report.trajectory);
-  write_tum(folder / "trajectory_online.txt", online_trajectory(report.run.records));
-  write_file(folder / "frames.csv", frames_csv(report.run));
-  ProgramOptions options = report.options;
-  write_file(folder / "config.yaml", options_to_yaml(describe(options), true));
-  RunPictures pictures;
-  if (report.graph) {
-    write_loops(folder, *report.graph);
-    pictures.loops = write_loop_pictures(folder, report.data, report.graph->candidates,
-                                         report.loop_pictures, kMostLoopsOnPage, report.notes);
-  }
-  pictures.map =
-      write_run_map(folder, report.map, report.trajectory, report.data.reference(), report.notes);
-  write_file(folder / "report.json", to_json(report).dump(2) + "\n");
-  pictures.figures = figures_of(report);
-  write_figures(folder, pictures.figures);
-  write_file(folder / "report.html", run_page(folder, report, pictures));
 }
 
 }  // namespace cvo_slam

@@ -36,8 +36,9 @@ void add_path(render::MapScene& scene, std::string label, std::vector<StampedPos
   scene.paths.push_back({std::move(label), std::move(poses), color});
 }
 
-/// The reference's z where it is motion capture's: about where up was taken to be without it.
-/// Others, as 7-Scenes, have no axis that points up.
+/// Returns the z axis of the reference if it is near the estimated up direction, as in motion
+/// capture; otherwise the estimate. Other references, as those of 7-Scenes, have no axis that
+/// points up.
 Vector3 up_of_reference(const Matrix3& R_scene_reference, const Vector3& estimated_up) {
   const Vector3 z = R_scene_reference.col(2);
   return z.dot(estimated_up) > std::numbers::sqrt2 / 2 ? z : estimated_up;

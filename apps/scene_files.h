@@ -11,16 +11,17 @@
 
 namespace cvo_slam {
 
-/// What a path is coloured by.
+/// The quantity that colours a path.
 enum class PathColor { kTime, kError, kPlain };
 
-/// Adds what a file or folder holds: the folder of a run (map and trajectory), a graph (.g2o),
-/// points (.ply), or else a trajectory in TUM format. Throws InputError.
+/// Adds the content of a file or folder: the folder of a run (map and trajectory), a graph (.g2o),
+/// points (.ply), or a trajectory in TUM format (any other file). Throws InputError.
 void add_to_scene(render::MapScene& scene, const std::filesystem::path& input);
 
-/// Adds the true path, fitted to the scene's first one. Where its z, which motion capture has up,
-/// is within 45 degrees of the scene's up it is taken for that. With kError the first path is
-/// coloured by its distance from it. Throws DataError where the two have too few times in common.
+/// Adds the true path, fitted to the first path of the scene. Its z axis points up in motion
+/// capture; it becomes the up direction of the scene if the two differ by less than 45 degrees.
+/// With kError the first path is coloured by its distance from the true one. Throws DataError if
+/// the two have too few times in common.
 void add_reference(render::MapScene& scene, const std::vector<StampedPose>& reference,
                    PathColor color);
 

@@ -12,8 +12,8 @@
 namespace cvo_slam {
 namespace {
 
-/// The place of a cell of a square grid of 2^bits cells a side on Hilbert's curve through all of
-/// them: neighbours on the curve are neighbours in the grid.
+/// Returns the index of a cell on the Hilbert curve through a square grid of 2^bits cells a side.
+/// Neighbours on the curve are neighbours in the grid.
 std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, unsigned bits) {
   std::uint64_t index = 0;
   for (unsigned bit = bits; bit-- > 0;) {
@@ -34,7 +34,7 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, unsigned bits) {
   return index;
 }
 
-/// The number of entries in each pixel.
+/// Counts the entries in each pixel (CV_32FC1).
 cv::Mat count_entries(const std::vector<KernelEntry>& entries, const std::vector<std::size_t>& rows,
                       const std::vector<std::size_t>& columns, cv::Size size) {
   const auto pixel = [](std::size_t rank, std::size_t count, int length) {
@@ -72,9 +72,9 @@ cv::Mat draw_sparsity(const std::vector<KernelEntry>& entries,
   const cv::Mat counts = count_entries(entries, fixed_ranks, moving_ranks, size);
   const double places =
       static_cast<double>(fixed_ranks.size()) * static_cast<double>(moving_ranks.size());
-  // How many entries a pixel can hold.
+  // The largest number of entries in a pixel.
   const double most = std::max(1.0, places / size.area());
-  // One entry is grey enough to be seen in print.
+  // A single entry is grey enough to be seen in print.
   constexpr double kFirst = 0.45;
   cv::Mat image(size, CV_8UC3);
   for (int v = 0; v < size.height; ++v) {

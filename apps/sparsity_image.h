@@ -12,13 +12,13 @@
 
 namespace cvo_slam {
 
-/// The rank of each pixel along a curve through an image that stays near: neighbours on the curve
-/// are neighbours in the image. Pixels beyond the image count as on its edge.
+/// Returns the rank of each pixel along a space-filling curve: neighbours on the curve are
+/// neighbours in the image. Pixels outside the image count as on its edge.
 [[nodiscard]] std::vector<std::size_t> ranks_along_curve(
     const std::vector<Eigen::Vector2d>& pixels);
 
-/// Where the entries of a kernel matrix are, as a CV_8UC3 picture: points of the fixed cloud from
-/// top to bottom, those of the moving one from left to right, by their ranks. A pixel is darker the
+/// Draws the sparsity pattern of a kernel matrix (CV_8UC3): points of the fixed cloud from top to
+/// bottom, points of the moving cloud from left to right, by their ranks. A pixel is darker the
 /// more entries it holds.
 [[nodiscard]] cv::Mat draw_sparsity(const std::vector<KernelEntry>& entries,
                                     const std::vector<std::size_t>& fixed_ranks,

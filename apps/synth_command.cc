@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/argument_text.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/progress.h"
-#include "cvo_slam/apps/settings.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/options_file.h"
@@ -31,7 +30,7 @@ struct SynthArguments {
   std::string image = "png";
   std::string path = "own";
   std::string dump;
-  long frames = 0;
+  std::optional<int> frames;  // empty = the whole path
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::filesystem::path config;
   std::vector<std::string> settings;  // "key=value" each
@@ -39,19 +38,11 @@ struct SynthArguments {
   synthetic::SequenceOptions sequence;
 };
 
-/// Throws OptionError where the text is not "<width>x<height>".
-void parse_size(const std::string& text, synthetic::SequenceOptions& options) {
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &options.width, &options.height, &rest) != 2) {
-    throw OptionError(fmt::format("--size {} must be <width>x<height>, e.g. 640x480", text));
-  }
-}
-
 OptionSet describe_sensor(synthetic::SensorOptions& sensor) {
   return OptionSet().add("sensor", describe(sensor));
 }
 
-/// The preset, then the configuration file, then each --set: the last one wins.
+/// Returns the preset, changed by the configuration file and then by each --set: the last one wins.
 synthetic::SensorOptions sensor_options(const SynthArguments& arguments) {
   auto sensor = synthetic::sensor_preset(arguments.noise);
   const OptionSet set = describe_sensor(sensor);
@@ -84,7 +75,7 @@ int dump_world(const SynthArguments& arguments) {
   return kDone;
 }
 
-int synth(SynthArguments arguments, bool frames_given) {
+int synth(SynthArguments arguments) {
   arguments.sequence.sensor = sensor_options(arguments);
   if (arguments.dump_config) {
     fmt::print("{}", options_to_yaml(describe_sensor(arguments.sequence.sensor), true));
@@ -95,13 +86,15 @@ int synth(SynthArguments arguments, bool frames_given) {
   if (arguments.folder.empty()) {
     throw OptionError("synth: say where to write the sequence, or give --dump-world <file>");
   }
-  parse_size(arguments.size, arguments.sequence);
+  const PixelSize size = parse_size(arguments.size, "640x480");
+  arguments.sequence.width = size.width;
+  arguments.sequence.height = size.height;
   if (arguments.image == "jpeg") arguments.sequence.image = synthetic::ImageFormat::kJpeg;
-  if (frames_given) {
-    if (arguments.frames < 1) {
-      throw OptionError(fmt::format("--frames {} must be at least 1", arguments.frames));
+  if (arguments.frames) {
+    if (*arguments.frames < 1) {
+      throw OptionError(fmt::format("--frames {} must be at least 1", *arguments.frames));
     }
-    arguments.sequence.frames = static_cast<std::size_t>(arguments.frames);
+    arguments.sequence.frames = static_cast<std::size_t>(*arguments.frames);
   }
   const auto start = std::chrono::steady_clock::now();
   std::optional<Progress> progress;  // made when the number of frames is known
@@ -122,52 +115,50 @@ int synth(SynthArguments arguments, bool frames_given) {
 
 void add_synth_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<SynthArguments>();
-  auto* command =
-      app.add_subcommand("synth", "Make a synthetic sequence (TUM layout) with exact ground truth");
-  const std::string scenes = fmt::format("{}", fmt::join(synthetic::world_names(), ", "));
-  command->add_option(
-      "scene", arguments->sequence.scene,
-      "The world to record: a file (*.yaml, see docs/worlds.md) or one of " + scenes);
-  command->add_option("folder", arguments->folder, "Where to write the sequence");
-  command->add_option("--dump-world", arguments->dump,
-                      "Write the world as a file to this place, and record nothing");
-  command->add_option("--path", arguments->path, "How the camera moves; own = as the world says")
-      ->check(CLI::IsMember(path_words()))
-      ->capture_default_str();
-  command->add_option("--speed", arguments->sequence.speed, "2 = the same way in half the time")
-      ->check(CLI::Range(0.01, 100.0))
-      ->capture_default_str();
-  const auto* frames =
-      command->add_option("--frames", arguments->frames,
-                          "Only the first n frames at the same speed (default: the whole path)");
+  Command command(app, "synth", "Make a synthetic sequence (TUM layout) with exact ground truth");
+  command.add("scene", &arguments->sequence.scene,
+              fmt::format("The world to record: a file (*.yaml, see docs/worlds.md) or one of {}",
+                          fmt::join(synthetic::world_names(), ", ")));
+  command.add("folder", &arguments->folder, "Folder for the sequence");
+  command.add("--dump-world", &arguments->dump, "Write the world to this file, and record nothing");
+  command.add("--path", &arguments->path, "How the camera moves; own = as the world says")
+      .one_of(path_words())
+      .show_default();
   command
-      ->add_option(
-          "--seed", arguments->sequence.seed,
-          "Of textures, clutter, the hand's tremor and, with sensor.seed, the sensor's noise")
-      ->capture_default_str();
-  const std::string presets = fmt::format("{}", fmt::join(synthetic::sensor_preset_names(), ", "));
-  command->add_option("--noise", arguments->noise, "The sensor to start from: " + presets)
-      ->capture_default_str();
-  command->add_option("--config", arguments->config,
-                      "YAML file of the sensor's options; see --dump-config");
+      .add("--speed", &arguments->sequence.speed,
+           "Factor on the speed of the camera: with 2 the path takes half the time")
+      .in_range(0.01, 100.0)
+      .show_default();
+  command.add("--frames", &arguments->frames,
+              "Only the first n frames at the same speed (default: the whole path)");
   command
-      ->add_option("--set", arguments->settings,
-                   "An option of the sensor, as key=value; may be repeated")
-      ->allow_extra_args(false);
-  command->add_flag("--dump-config", arguments->dump_config,
-                    "Print the sensor's options as YAML with their documentation, and end");
-  command->add_option("--size", arguments->size, "Image size, <width>x<height> [px]")
-      ->capture_default_str();
-  command->add_option("--image", arguments->image, "Colour images: png (exact) or jpeg (smaller)")
-      ->check(CLI::IsMember({"png", "jpeg"}))
-      ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "Does not change the result")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->callback([&action, arguments, frames] {
-    const bool frames_given = frames->count() > 0;
-    action = [arguments, frames_given] { return synth(*arguments, frames_given); };
-  });
+      .add("--seed", &arguments->sequence.seed,
+           "Seed of textures, clutter and the tremor of the hand and, with sensor.seed, of the "
+           "noise of the sensor")
+      .show_default();
+  command
+      .add("--noise", &arguments->noise,
+           fmt::format("The sensor to start from: {}",
+                       fmt::join(synthetic::sensor_preset_names(), ", ")))
+      .show_default();
+  command.add("--config", &arguments->config,
+              "YAML file of the options of the sensor; --dump-config prints one");
+  command
+      .add("--set", &arguments->settings, "One option of the sensor as key=value; may be repeated")
+      .one_value_each();
+  command.add("--dump-config", &arguments->dump_config,
+              "Print the options of the sensor as YAML with their documentation, and stop");
+  command.add("--size", &arguments->size, "Size of the images, <width>x<height> [px]")
+      .show_default();
+  command
+      .add("--image", &arguments->image, "Format of colour images: png (exact) or jpeg (smaller)")
+      .one_of({"png", "jpeg"})
+      .show_default();
+  command
+      .add("--threads", &arguments->threads, "Number of threads; the result does not depend on it")
+      .in_range(1, 1024)
+      .show_default();
+  command.on_parsed(action, [arguments] { return synth(*arguments); });
 }
 
 }  // namespace cvo_slam

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-
 #include "cvo_slam/core/map.h"
+#include "cvo_slam/apps/argument_text.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/core/options.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
@@ -26,18 +27,10 @@ struct ProgramOptions {
   FusionOptions map;
 };
 
+/// Returns the options with their keys and documentation.
 [[nodiscard]] OptionSet describe(ProgramOptions& options);
 
-/// The frames begin, begin + step, ... below end of a sequence.
-struct FrameRange {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  std::size_t step = 1;
-
-  [[nodiscard]] std::size_t size() const { return (end - begin + step - 1) / step; }
-};
-
-/// Where a command's options come from.
+/// The arguments that a command's options come from.
 struct OptionArguments {
   std::string preset;
   std::filesystem::path config;
@@ -46,27 +39,26 @@ struct OptionArguments {
   std::string simd = "best";
 
   /// Declares them on a subcommand.
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
 
-  /// The preset, then the configuration file, then each --set, then --threads: the last one wins.
-  /// Pins the SIMD path.
+  /// Returns the preset, changed by the configuration file, then by each --set, then by --threads:
+  /// the last one wins. Pins the SIMD path of the process.
   [[nodiscard]] ProgramOptions options() const;
 };
 
-/// What `run` and `bench` have in common on the command line: which frames of which sequence, and
-/// with which options.
+/// The arguments that `run` and `bench` share: which frames of which sequence, with which options.
 struct TrackingArguments : OptionArguments {
   std::filesystem::path dataset;
-  std::string camera;  ///< file or built-in name; empty = the sequence's own
+  std::string camera;  ///< file or built-in name; empty = the one of the sequence
   std::string frames;  ///< "a:b", "a:", ":b" or "a:b:step"; empty = all
 
   /// Declares the options on a subcommand.
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
 
-  /// Throws InputError where the sequence cannot be opened.
+  /// Opens the sequence. Throws InputError if that fails.
   [[nodiscard]] std::unique_ptr<Dataset> open() const;
-  /// Throws OptionError where the range is malformed or empty for a sequence of `size` frames.
-  [[nodiscard]] FrameRange range(std::size_t size) const;
+  /// Returns the frames to use of a sequence of `size` frames. Throws OptionError.
+  [[nodiscard]] FrameRange range(std::size_t size) const { return parse_frames(frames, size); }
 };
 
 }  // namespace cvo_slam

@@ -25,7 +25,7 @@ constexpr std::string_view kSynthetic = "synth:";
 
 std::size_t thinned(std::size_t count, std::size_t step) { return (count + step - 1) / step; }
 
-/// "<world>:<seed>".
+/// Parses "<world>:<seed>".
 std::pair<std::string, std::uint32_t> parse_world(const std::string& text) {
   const std::size_t colon = text.find(':');
   std::uint32_t seed = 0;
@@ -83,7 +83,7 @@ TrainingImages folder_images(const std::filesystem::path& folder, std::size_t st
           }};
 }
 
-/// Whether the folder itself holds images, which those of data sets do not.
+/// Returns true if the folder itself holds images; the folders of data sets do not.
 bool holds_images(const std::filesystem::path& folder) {
   std::error_code problem;
   for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {

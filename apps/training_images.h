@@ -13,19 +13,20 @@ namespace cvo_slam {
 /// Images to learn visual words from.
 struct TrainingImages {
   std::size_t count = 0;
-  /// Image `i` < count; its colour image is empty where it cannot be read. For several threads.
+  /// Reads image `i` < count; its colour image is empty if it cannot be read. Thread-safe.
   std::function<RgbdFrame(std::size_t i)> read;
 };
 
-/// How many images to take of a source.
+/// The share of the images of a source that is used.
 struct Thinning {
-  int step = 3;               ///< every so many of recorded images
-  double synthetic_rate = 2;  ///< of a synthetic world [Hz]
+  int step = 3;               ///< use every n-th recorded image
+  double synthetic_rate = 2;  ///< images per second of a synthetic world [Hz]
 };
 
-/// What a source of `vocab train` names: `synth:<world>:<seed>`, a synthetic world seen by a Kinect
-/// along its own path; the folder of a data set; or any folder of PNG and JPEG files, in the order
-/// of names. Throws OptionError for a malformed source, InputError where the folder has no images.
+/// Opens a source of `vocab train`: `synth:<world>:<seed>`, a synthetic world seen by a Kinect
+/// along the path of the world; the folder of a data set; or any folder of PNG and JPEG files, in
+/// the order of their names. Throws OptionError for a malformed source, InputError if the folder
+/// has no images.
 [[nodiscard]] TrainingImages open_training_images(const std::string& source,
                                                   const Thinning& thinning);
 

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/apps/training_images.h"
 #include "cvo_slam/core/error.h"
@@ -37,7 +37,7 @@ struct VocabArguments {
 
 bool is_text(const std::filesystem::path& file) { return file.extension() == ".txt"; }
 
-/// In the format that the file's name says.
+/// Writes the format that the name of the file stands for.
 void write_either(const std::filesystem::path& file, const Vocabulary& vocabulary) {
   if (is_text(file)) {
     write_vocabulary_text(file, vocabulary);
@@ -46,7 +46,7 @@ void write_either(const std::filesystem::path& file, const Vocabulary& vocabular
   }
 }
 
-/// The descriptors of every image of all sources, in their order.
+/// Collects the descriptors of every image of all sources, in their order.
 class DescriptorCollector {
  public:
   explicit DescriptorCollector(const VocabArguments& arguments) : arguments_(arguments) {
@@ -81,7 +81,7 @@ class DescriptorCollector {
   std::size_t total_ = 0;
 };
 
-/// What would otherwise fail when minutes of work are done.
+/// Finds before minutes of work what would fail after them.
 void check(VocabArguments arguments) {
   describe(arguments.training).check();
   const auto folder = std::filesystem::absolute(arguments.output).parent_path();
@@ -140,62 +140,60 @@ int info(const VocabArguments& arguments) {
   return kDone;
 }
 
-void add_train(CLI::App& parent, Action& action, const std::shared_ptr<VocabArguments>& a) {
-  CLI::App* command = parent.add_subcommand("train", "Learns a vocabulary from images");
+void add_train(Command& parent, Action& action, const std::shared_ptr<VocabArguments>& a) {
+  Command command(parent, "train", "Learn a vocabulary from images");
   command
-      ->add_option("sources", a->sources,
-                   "Folders of data sets or of images, or synthetic worlds as synth:<world>:<seed>")
-      ->required();
-  command->add_option("-o,--output", a->output, "The file to write; *.txt in ORB-SLAM's format")
-      ->required();
-  command->add_option("--step", a->thinning.step, "Every n-th of recorded images")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  command->add_option("--rate", a->thinning.synthetic_rate, "Images a second of synthetic worlds")
-      ->check(CLI::Range(0.01, 100.0))
-      ->capture_default_str();
-  command->add_option("-k,--branching", a->training.branching, "Children of a node")
-      ->capture_default_str();
-  command->add_option("-L,--levels", a->training.levels, "Steps from the root to a word")
-      ->capture_default_str();
-  command->add_option("--seed", a->training.seed, "Of the clusters' first centres")
-      ->capture_default_str();
-  command->add_option("--features", a->orb.features, "Most features of an image")
-      ->check(CLI::Range(10, 20000))
-      ->capture_default_str();
-  command->add_option("--threads", a->threads, "Does not change the result")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_flag("--quiet", a->quiet, "Print nothing");
-  command->callback([&action, a] { action = [a] { return train(*a); }; });
+      .add("sources", &a->sources,
+           "Folders of data sets or of images, or synthetic worlds as synth:<world>:<seed>")
+      .required();
+  command.add("-o,--output", &a->output, "File to write; *.txt = the text format of ORB-SLAM")
+      .required();
+  command.add("--step", &a->thinning.step, "Use every n-th recorded image")
+      .in_range(1, 1000000)
+      .show_default();
+  command.add("--rate", &a->thinning.synthetic_rate, "Images per second of a synthetic world [Hz]")
+      .in_range(0.01, 100.0)
+      .show_default();
+  command.add("-k,--branching", &a->training.branching, "Number of children of a node")
+      .show_default();
+  command.add("-L,--levels", &a->training.levels, "Number of steps from the root to a word")
+      .show_default();
+  command.add("--seed", &a->training.seed, "Seed of the first centres of the clusters")
+      .show_default();
+  command.add("--features", &a->orb.features, "Largest number of features of an image")
+      .in_range(10, 20000)
+      .show_default();
+  command.add("--threads", &a->threads, "Number of threads; the result does not depend on it")
+      .in_range(1, 1024)
+      .show_default();
+  command.add("--quiet", &a->quiet, "Print nothing");
+  command.on_parsed(action, [a] { return train(*a); });
 }
 
-void add_convert(CLI::App& parent, Action& action, const std::shared_ptr<VocabArguments>& a) {
-  CLI::App* command =
-      parent.add_subcommand("convert", "Between our binary format and ORB-SLAM's text");
-  command->add_option("in", a->input, "A vocabulary in either format")->required();
-  command->add_option("out", a->output, "The file to write: *.txt = text, any other = binary")
-      ->required();
-  command->callback([&action, a] { action = [a] { return convert(*a); }; });
+void add_convert(Command& parent, Action& action, const std::shared_ptr<VocabArguments>& a) {
+  Command command(parent, "convert",
+                  "Convert between our binary format and the text format of ORB-SLAM");
+  command.add("in", &a->input, "A vocabulary in either format").required();
+  command.add("out", &a->output, "File to write: *.txt = text, any other name = binary").required();
+  command.on_parsed(action, [a] { return convert(*a); });
 }
 
-void add_info(CLI::App& parent, Action& action, const std::shared_ptr<VocabArguments>& a) {
-  CLI::App* command = parent.add_subcommand("info", "What a vocabulary is like");
-  command->add_option("file", a->input,
-                      "A vocabulary in either format (default: the built-in one)");
-  command->add_flag("--json", a->json, "Print one JSON object");
-  command->callback([&action, a] { action = [a] { return info(*a); }; });
+void add_info(Command& parent, Action& action, const std::shared_ptr<VocabArguments>& a) {
+  Command command(parent, "info", "Describe a vocabulary");
+  command.add("file", &a->input, "A vocabulary in either format (default: the built-in one)");
+  command.add("--json", &a->json, "Print one JSON object instead of text");
+  command.on_parsed(action, [a] { return info(*a); });
 }
 
 }  // namespace
 
 void add_vocab_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<VocabArguments>();
-  CLI::App* command = app.add_subcommand("vocab", "Visual vocabularies of the loop detector");
-  command->require_subcommand(1);
-  add_train(*command, action, arguments);
-  add_convert(*command, action, arguments);
-  add_info(*command, action, arguments);
+  Command command(app, "vocab", "Train, convert and describe visual vocabularies");
+  command.require_subcommand();
+  add_train(command, action, arguments);
+  add_convert(command, action, arguments);
+  add_info(command, action, arguments);
 }
 
 }  // namespace cvo_slam

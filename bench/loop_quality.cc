@@ -19,8 +19,8 @@
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/apps/match_picture.h"
-#include "cvo_slam/apps/settings.h"
+#include "cvo_slam/apps/loop_pictures.h"
+#include "cvo_slam/apps/argument_text.h"
 #include "cvo_slam/bench/visible_overlap.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"

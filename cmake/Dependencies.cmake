@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The cvo_slam authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What the libraries link: the one list for this build and for cvo_slam-config.cmake, which asks an
-# embedder's CMake for the same (Install.cmake). Each entry is the arguments of find_package().
+# The packages that the libraries link: the one list for this build and for cvo_slam-config.cmake,
+# which looks for the same packages in an embedder's project (Install.cmake). Each entry is the
+# arguments of a find_package().
 
 set(CVO_SLAM_DEPENDENCIES
     "Eigen3"
@@ -12,7 +13,7 @@ set(CVO_SLAM_DEPENDENCIES
     "TBB"
     "yaml-cpp")
 
-# What the back-end links besides: embedders that name their components and not this one do without.
+# Packages of the back-end alone: embedders who do not name this component do not need them.
 set(CVO_SLAM_BACKEND_DEPENDENCIES "Ceres")
 
 foreach(DEPENDENCY IN LISTS CVO_SLAM_DEPENDENCIES CVO_SLAM_BACKEND_DEPENDENCIES)

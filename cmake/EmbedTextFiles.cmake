@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # cvo_slam_embed_cameras(<out.cc> <file.yaml>...): writes the definition of builtin_camera_files(),
-# which has the text of the files; CMake runs again when one of them changes.
+# which returns the text of the files. CMake runs again when one of them changes.
 function(cvo_slam_embed_cameras OUTPUT)
   set(ENTRIES "")
   foreach(FILE ${ARGN})

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The cvo_slam authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# find_package(cvo_slam) for what was installed by the rooms.
+# Makes find_package(cvo_slam) work for the libraries that the rooms install.
 
 include(CMakePackageConfigHelpers)
 set(CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cvo_slam)
 
-# The dependencies' find_dependency() calls, a line each.
+# Sets OUTPUT to the find_dependency() calls of the packages, one on each line.
 function(cvo_slam_find_calls OUTPUT)
   list(TRANSFORM ARGN REPLACE "(.+)" "find_dependency(\\1)")
   list(JOIN ARGN "\n" CALLS)

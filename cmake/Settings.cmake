@@ -10,13 +10,14 @@ endif()
 set(CMAKE_CXX_EXTENSIONS OFF)
 add_library(cvo_slam_settings INTERFACE)
 target_compile_features(cvo_slam_settings INTERFACE cxx_std_20)
-# No -march, no -ffast-math: the same bytes on every machine, and Eigen's alignment stays the
-# embedder's. Contraction is off so that a compiler with FMA does not round differently.
+# No -march and no -ffast-math: results have the same bytes on every machine, and Eigen's alignment
+# is the one of the embedder. Contraction is off so that a compiler with FMA does not round
+# differently.
 target_compile_options(cvo_slam_settings INTERFACE -ffp-contract=off)
-# Position-independent code may otherwise not inline a library's own functions (GCC's default).
+# Without this GCC does not inline a library's own functions in position-independent code.
 target_compile_options(cvo_slam_settings INTERFACE -fno-semantic-interposition)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # Lets ccache see what a precompiled header holds.
+  # Lets ccache see the content of a precompiled header.
   target_compile_options(cvo_slam_settings INTERFACE -fpch-preprocess)
 endif()
 if(PROJECT_IS_TOP_LEVEL)
@@ -26,7 +27,7 @@ if(CVO_SLAM_WERROR)
   target_compile_options(cvo_slam_settings INTERFACE -Werror)
 endif()
 if(CVO_SLAM_SANITIZE)
-  # The instrumented code hides from GCC what is initialised (its manual says so of -fsanitize).
+  # Instrumented code hides from GCC which variables are initialised (see -fsanitize in its manual).
   target_compile_options(
     cvo_slam_settings INTERFACE -fsanitize=${CVO_SLAM_SANITIZE} -fno-omit-frame-pointer
                                 -Wno-maybe-uninitialized)

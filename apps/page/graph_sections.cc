@@ -18,8 +18,8 @@ using html::Cell;
 
 std::string edges_text(const PoseGraph& graph) {
   return fmt::format(
-      "{} keyframes; {} edges: {} of consecutive keyframes (odometry), {} of near ones "
-      "(proximity), {} of places that were recognised (bow).",
+      "{} keyframes; {} edges: {} between consecutive keyframes (odometry), {} between near ones "
+      "(proximity), {} from recognised places (bow).",
       graph.nodes().size(), graph.edges().size(), edges_of_kind(graph, EdgeKind::kOdometry),
       edges_of_kind(graph, EdgeKind::kProximity), edges_of_kind(graph, EdgeKind::kLoop));
 }
@@ -66,14 +66,13 @@ std::string loop_figures(const std::vector<PicturedLoop>& loops, bool accepted) 
   return figures.empty() ? "" : html::element("div", figures, R"(class="gallery")");
 }
 
-/// How the pictures were chosen.
+/// Returns a line on how the pictures were chosen.
 std::string gallery_text(const LoopGallery& gallery) {
-  constexpr const char* kWhat =
-      "Each line joins what both images show at the same place, by their ORB features.";
+  constexpr const char* kWhat = "Each line joins two matching ORB features of the images.";
   if (gallery.chosen.size() == gallery.files) return kWhat;
   return fmt::format(
-      "{} of {} pictures: the loops that corrected the graph most. The {} that are left out "
-      "here are in the folder loops. {}",
+      "{} of {} pictures: the loops that corrected the graph most. The other {} are in the folder "
+      "loops. {}",
       gallery.chosen.size(), gallery.files, gallery.files - gallery.chosen.size(), kWhat);
 }
 
@@ -82,7 +81,7 @@ std::string_view why_no_picture(const RunReport& report) {
     case LoopPictures::kNone:
       return "Pictures of loops were not asked for.";
     case LoopPictures::kAccepted:
-      return "No loop was closed. With --loop-pictures all those that were rejected are shown.";
+      return "No loop was closed. The option --loop-pictures all shows the rejected candidates.";
     case LoopPictures::kAll:
       return "No place was recognised.";
   }

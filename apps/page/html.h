@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The little of HTML that a report needs. Functions that take text escape it; those that take
-// `content` do not, because it is HTML.
+// The parts of HTML that a report needs. Functions escape their text, but not their `content`,
+// which is HTML already.
 #pragma once
 
 #include <string>
@@ -13,25 +13,25 @@
 
 namespace cvo_slam::html {
 
-/// Text as it may stand between tags and in quoted attributes. Control characters but the new line,
-/// and bytes that are not UTF-8, become U+FFFD.
+/// Returns text that may stand between tags and in quoted attributes. Control characters except the
+/// new line, and bytes that are not UTF-8, become U+FFFD.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// <tag attributes>content</tag>.
+/// Returns <tag attributes>content</tag>.
 [[nodiscard]] std::string element(std::string_view tag, std::string_view content,
                                   std::string_view attributes = "");
 [[nodiscard]] std::string paragraph(std::string_view text);
-/// With a title that a link "#id" leads to.
+/// Returns a section with a title; a link "#id" leads to it.
 [[nodiscard]] std::string section(std::string_view id, std::string_view title,
                                   std::string_view content);
-/// Content with a line of text below it.
+/// Returns content with a line of text below it.
 [[nodiscard]] std::string figure(std::string_view content, std::string_view caption);
 
-/// A file as part of the page (RFC 2397).
+/// Returns a file as part of the page (RFC 2397).
 [[nodiscard]] std::string data_uri(std::string_view media_type, std::string_view bytes);
-/// A JPEG as part of the page; `alternative` is what it shows, in words.
+/// Returns a JPEG file as part of the page; `alternative` describes it in words.
 [[nodiscard]] std::string jpeg_image(std::string_view bytes, std::string_view alternative);
-/// The same of an image, CV_8UC3.
+/// Encodes an image (CV_8UC3) as JPEG first.
 [[nodiscard]] std::string jpeg_image(const cv::Mat& image, std::string_view alternative);
 
 enum class Cell { kText, kNumber, kCode };
@@ -46,7 +46,7 @@ class Table {
  public:
   explicit Table(std::vector<Column> columns);
 
-  /// As many cells as columns.
+  /// Adds a row; it must have as many cells as there are columns.
   Table& add(const std::vector<std::string>& cells);
   [[nodiscard]] bool empty() const { return rows_.empty(); }
   [[nodiscard]] std::string content() const;

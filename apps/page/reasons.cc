@@ -13,8 +13,8 @@
 namespace cvo_slam {
 namespace {
 
-/// Adds a frame to the last span where it belongs to it: the frame before was lost too, for a like
-/// reason.
+/// Adds a lost frame to the last span if the reasons differ only in their figures. Returns true if
+/// it did.
 bool extend(std::vector<LostSpan>& spans, std::size_t frame, const LostFrame& lost) {
   LostSpan& span = spans.back();
   const std::string kind = without_figures(lost.reason);

@@ -13,42 +13,43 @@
 
 namespace cvo_slam {
 
-/// A reason without its figures, by which like ones are counted together: "only 7 points" is
-/// "only … points".
+/// Returns a reason without its figures, so that equal ones can be counted together: "only 7
+/// points" becomes "only … points".
 [[nodiscard]] std::string without_figures(std::string_view reason);
 
-/// Consecutive frames without a pose, for like reasons.
+/// Consecutive frames without a pose, for reasons that differ only in their figures.
 struct LostSpan {
   std::size_t first = 0;  ///< frame index
   std::size_t last = 0;
-  Timestamp stamp;        ///< of the first one
-  std::size_t count = 0;  ///< less than last - first + 1 where a run takes every n-th frame
-  std::string reason;     ///< the common one; without its figures where these differ
+  Timestamp stamp;        ///< stamp of the first frame
+  std::size_t count = 0;  ///< number of frames; fewer than last - first + 1 if a run skips frames
+  std::string reason;     ///< the common reason, without its figures if they differ
 };
 
-/// The lost frames of a trajectory in the order of the records, which have them all.
+/// Groups the lost frames of a trajectory, in the order of the records, which include them all.
 [[nodiscard]] std::vector<LostSpan> lost_spans(const std::vector<FrameRecord>& records,
                                                const std::vector<LostFrame>& lost);
 
-/// What became of the candidates that were found in one way.
+/// The verdicts on the candidates that were found in one way.
 struct VerdictCount {
   std::string found_by;  ///< as in loops.csv
   std::size_t accepted = 0;
   std::size_t rejected = 0;
 };
 
+/// Counts the verdicts of each way of finding.
 [[nodiscard]] std::vector<VerdictCount> count_verdicts(
     const std::vector<LoopCandidate>& candidates);
 
-/// How many candidates that were found in one way were not accepted, for which reason without its
-/// figures.
+/// The number of candidates that were found in one way and rejected for one reason (without its
+/// figures).
 struct ReasonCount {
   std::string found_by;
   std::string reason;
   std::size_t count = 0;
 };
 
-/// The most frequent first, of each way.
+/// Counts the reasons of each way of finding, the most frequent first.
 [[nodiscard]] std::vector<ReasonCount> count_reasons(const std::vector<LoopCandidate>& candidates);
 
 }  // namespace cvo_slam

@@ -15,19 +15,19 @@
 
 namespace cvo_slam {
 
-/// What a run's page has to show.
+/// The pictures of the page of a run.
 struct RunPictures {
   std::vector<NamedFigure> figures;
-  cv::Mat map;  ///< empty where there is none
+  cv::Mat map;  ///< empty if there is none
   LoopGallery loops;
 };
 
-/// How many pairs of images a page has at most: some 2 MB.
+/// Largest number of loop pictures on a page, about 2 MB.
 inline constexpr std::size_t kMostLoopsOnPage = 24;
 
-/// The page of a run, one file that needs no other and no network, to be report.html in `folder`;
-/// it has links to the run's other files that are there. Two runs with the same results have the
-/// same page but for the section "cost".
+/// Returns the page of a run, which is to be report.html in `folder`: one file that needs no other
+/// file and no network. It has links to the other files of the run that exist. Two runs with the
+/// same results have the same page except for the section "cost".
 [[nodiscard]] std::string run_page(const std::filesystem::path& folder, const RunReport& report,
                                    const RunPictures& pictures);
 

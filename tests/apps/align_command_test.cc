@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // `cvo_slam align` from outside: what it prints and draws, its exit codes, its errors.
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -15,7 +14,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 
 namespace cvo_slam {
@@ -25,13 +24,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-/// Six frames of the synthetic room, small so that a registration takes milliseconds.
 class AlignCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    synthetic::write_sequence(room_, {.frames = 6, .width = 160, .height = 120});
-  }
-
   [[nodiscard]] ProgramResult align(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"align", room_.string()});
     return run_program(arguments);
@@ -39,16 +33,7 @@ class AlignCommand : public testing::Test {
 
   /// The images of frame `index`, colour and depth.
   [[nodiscard]] std::vector<std::string> images(std::size_t index) const {
-    std::vector<std::string> files;
-    for (const char* folder : {"rgb", "depth"}) {
-      std::vector<std::filesystem::path> all;
-      for (const auto& entry : std::filesystem::directory_iterator(room_ / folder)) {
-        all.push_back(entry.path());
-      }
-      std::sort(all.begin(), all.end());
-      files.push_back(all.at(index));
-    }
-    return files;
+    return {sequence_.images("rgb").at(index), sequence_.images("depth").at(index)};
   }
 
   [[nodiscard]] static ProgramResult align_images(const std::vector<std::string>& a,
@@ -64,8 +49,9 @@ class AlignCommand : public testing::Test {
     EXPECT_EQ(result.output, "");
   }
 
-  TemporaryFolder folder_;
-  std::filesystem::path room_ = folder_.path() / "room";
+  RoomSequence sequence_{6};
+  const TemporaryFolder& folder_ = sequence_.folder();
+  const std::filesystem::path room_ = sequence_.path();
 };
 
 TEST_F(AlignCommand, FindsTheMotionBetweenTwoFrames) {
@@ -73,7 +59,7 @@ TEST_F(AlignCommand, FindsTheMotionBetweenTwoFrames) {
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   const auto found = json["T_a_b"]["translation_m"].get<std::vector<double>>();
-  // Of the images' 160 pixels one is 4 mm at a metre; not finding the motion leaves all of it.
+  // One of the 160 pixels is 4 mm wide at a metre. If the motion is not found, all of it is error.
   EXPECT_LT(json["error"]["translation_m"], 0.3 * std::hypot(found[0], found[1], found[2]));
   EXPECT_GT(json["after"]["cos_theta"], json["before"]["cos_theta"]);
   EXPECT_GT(json["after"]["inner_product"], json["before"]["inner_product"]);
@@ -146,10 +132,10 @@ TEST_F(AlignCommand, DrawsTheRegistrationAndTheStep) {
                           HasSubstr(">2nd order<"), HasSubstr(">4th order<")));
 }
 
-TEST_F(AlignCommand, AResultThatATrackerWouldNotBelieveHasItsExitCode) {
+TEST_F(AlignCommand, AResultThatATrackerWouldRejectHasItsExitCode) {
   const ProgramResult result = align({"0", "5", "--set", "tracker.lost.min_overlap=1"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.output, HasSubstr("doubtful       overlap 0."));
+  EXPECT_THAT(result.output, HasSubstr("rejected       overlap 0."));
 }
 
 TEST_F(AlignCommand, UnknownFramesAreAClearLine) {
@@ -180,7 +166,7 @@ TEST_F(AlignCommand, ImageFilesThatCannotBeUsedAreAClearLine) {
   expect_error(run_program({"align", a[0], a[1], b[0], b[1]}), 2, "name it with --camera");
   expect_error(align_images(a, a, camera), 2, "is the colour image of both frames");
   expect_error(align_images(a, {b[0], "/none.png"}, camera), 2, "/none.png");
-  // Depth and colour exchanged.
+  // Depth and colour are exchanged.
   expect_error(align_images({a[1], a[0]}, b, camera), 2, "a colour image must have 8 bits");
   expect_error(align_images(a, b, "no_camera"), 2, "no_camera");
 }
@@ -191,7 +177,7 @@ TEST_F(AlignCommand, AnUnwritableFolderIsKnownBeforeTheWork) {
 }
 
 TEST_F(AlignCommand, ViewsThatShareNothingAreAnError) {
-  // The second camera stands in another room: its depth is 4 m everywhere, the room's half of it.
+  // The depth of the second frame is twice that of the room: the frames show different surfaces.
   cv::Mat far = cv::imread(images(1)[1], cv::IMREAD_UNCHANGED);
   far = 2 * far;
   cv::imwrite(images(1)[1], far);

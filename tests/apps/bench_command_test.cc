@@ -14,6 +14,8 @@
 #include "cvo_slam/apps/odometry_benchmark.h"
 #include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/apps/report_json.h"
+#include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/io/tiny_sequence.h"
 
@@ -24,20 +26,16 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Six frames of the synthetic room, small so that all systems together need about a second.
 class BenchCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    synthetic::write_sequence(sequence_, {.frames = 6, .width = 160, .height = 120});
-  }
-
   ProgramResult bench(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"bench", "odometry", sequence_.string(), "--quiet"});
     return run_program(arguments);
   }
 
-  TemporaryFolder folder_;
-  std::filesystem::path sequence_ = folder_.path() / "room";
+  RoomSequence room_{6};
+  const TemporaryFolder& folder_ = room_.folder();
+  const std::filesystem::path sequence_ = room_.path();
 };
 
 TEST_F(BenchCommand, ComparesAllSystemsOnAllFrames) {
@@ -45,7 +43,7 @@ TEST_F(BenchCommand, ComparesAllSystemsOnAllFrames) {
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   std::vector<std::string> names;
-  // What standing still would get: the length of the motion between two frames.
+  // The error of a system that stands still: the length of the motion between two frames.
   const double step = path_length(read_tum(sequence_ / "groundtruth.txt")) / 5;
   for (const auto& system : json["systems"]) {
     SCOPED_TRACE(system["name"]);
@@ -135,7 +133,7 @@ TEST(BenchCommandLine, AsksForTheComparison) {
   EXPECT_THAT(result.errors, HasSubstr("a command is required: odometry"));
 }
 
-/// Answers with what it was given, frame by frame.
+/// Returns the given poses, one for each frame.
 class ScriptedSystem final : public OdometrySystem {
  public:
   explicit ScriptedSystem(std::vector<std::optional<SE3>> answers) : answers_(std::move(answers)) {}
@@ -182,7 +180,9 @@ TEST_F(OdometryBenchmarkTest, WithoutAReferenceTheTableHasNoErrors) {
 TEST_F(OdometryBenchmarkTest, ASystemThatIsNotBuiltInSaysSo) {
   const auto benchmark = run(nullptr);
   EXPECT_THAT(to_table(*sequence_.open(), benchmark), HasSubstr("| scripted | not built in |"));
-  EXPECT_EQ(to_json(*sequence_.open(), benchmark)["systems"][0]["built_in"], false);
+  EXPECT_EQ(
+      nlohmann::json::parse(json_text(*sequence_.open(), benchmark))["systems"][0]["built_in"],
+      false);
 }
 
 }  // namespace

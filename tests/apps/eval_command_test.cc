@@ -65,7 +65,7 @@ TEST_F(EvalCommand, PrintsOneJsonObject) {
   EXPECT_EQ(result.exit_code, 0);
   const auto json = nlohmann::json::parse(result.output);
   EXPECT_EQ(json["matches"], 40);
-  // Turned by one radian.
+  // The estimate is turned by one radian.
   EXPECT_NEAR(json["ate"]["rotation_deg"]["rmse"].get<double>(), 57.29578, 1e-5);
 }
 

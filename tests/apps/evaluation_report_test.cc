@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/tests/core/trajectory_samples.h"
 
@@ -29,7 +31,7 @@ TEST(EvaluationReport, HasDriftOverASecondAndFrameToFrameByDefault) {
 TEST(EvaluationReport, CoverageIsTheMatchedShare) {
   auto reference = helix(40);
   reference.resize(10);
-  // The estimate goes on where the reference ends: of the reference, with fewer poses, all match.
+  // The estimate goes on after the end of the reference, which has fewer poses: all of them match.
   EXPECT_DOUBLE_EQ(evaluate(reference, helix(40)).coverage, 1);
   EXPECT_DOUBLE_EQ(evaluate(reference, helix(40), {.association = {.interpolate = true}}).coverage,
                    0.25);
@@ -44,13 +46,13 @@ TEST(EvaluationReport, SimilarityScalesTheRelativeErrorToo) {
 }
 
 TEST(EvaluationReport, LeavesOutWhatDoesNotExistAndSaysWhy) {
-  // Half a second on a straight line: no unique alignment, no second.
+  // Half a second on a straight line has no unique alignment and no pair that is a second apart.
   const auto report = evaluate(line(5), line(5));
   EXPECT_FALSE(report.ate);
   EXPECT_FALSE(report.relative[0].error);
   EXPECT_TRUE(report.relative[1].error);
   EXPECT_THAT(report.notes, testing::ElementsAre(HasSubstr("no ATE: "), HasSubstr("no RPE 1 s: ")));
-  const auto json = to_json(report);
+  const auto json = nlohmann::json::parse(json_text(report));
   EXPECT_TRUE(json["ate"].is_null());
   EXPECT_TRUE(json["rpe"][0]["error"].is_null());
   EXPECT_EQ(json["notes"].size(), 2U);
@@ -66,9 +68,10 @@ TEST(EvaluationReport, JsonHasUnitsInItsKeys) {
   const auto truth = line(3);
   auto estimate = line(3);
   estimate[1].T_world_camera = SE3(so3_exp({0, 0, 1}), {1, 2, 0});
-  const auto json = to_json(evaluate(truth, estimate, {.alignment = Alignment::kNone}));
+  const auto json =
+      nlohmann::json::parse(json_text(evaluate(truth, estimate, {.alignment = Alignment::kNone})));
   EXPECT_DOUBLE_EQ(json["ate"]["translation_m"]["max"].get<double>(), 2);
-  // One radian.
+  // The estimate is turned by one radian.
   EXPECT_NEAR(json["ate"]["rotation_deg"]["max"].get<double>(), 57.29577951308232, 1e-12);
   EXPECT_EQ(json["rpe"][1]["unit"], "frames");
   EXPECT_EQ(json["alignment"], "none");

@@ -7,7 +7,7 @@
 namespace cvo_slam {
 namespace {
 
-/// The row of one candidate.
+/// Returns the row of one candidate.
 std::string row_of(const LoopCandidate& candidate) {
   const std::string csv = loops_csv({candidate});
   return csv.substr(csv.find('\n') + 1);

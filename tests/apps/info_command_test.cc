@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cvo_slam/apps/command.h"
+#include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/tests/io/tiny_sequence.h"
@@ -22,7 +23,7 @@ Action parse(const std::string& arguments) {
   return action;
 }
 
-/// What `cvo_slam info <arguments>` prints.
+/// Returns what `cvo_slam info <arguments>` prints.
 std::string info(const std::string& arguments) {
   const Action action = parse(arguments);
   testing::internal::CaptureStdout();

@@ -11,7 +11,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/apps/match_picture.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
@@ -54,7 +53,7 @@ TEST(MatchPicture, TakesImagesOfAnySizeAndNone) {
   EXPECT_FALSE(draw_matches({}, {}, {{1e6F, -1e6F, 0, 0}}, 1000).empty());
 }
 
-/// Images of a colour each; the fourth cannot be read.
+/// Images of one colour each; the fourth cannot be read.
 class FewImages : public Dataset {
  public:
   [[nodiscard]] const std::string& name() const override { return name_; }

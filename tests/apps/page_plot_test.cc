@@ -32,7 +32,7 @@ TEST(PagePlot, IsDrawnByItsLines) {
   EXPECT_THAT(html, Not(HasSubstr("<?xml"))) << "a page cannot have a declaration within";
 }
 
-// Hours of frames would make a page that no browser wants to open.
+// As vector graphics, hours of frames would make a page too large for a browser.
 TEST(PagePlot, OfVeryManyPointsIsAnImage) {
   const std::string html = plot(zigzag(200'000), "hours");
   EXPECT_THAT(html, HasSubstr("src=\"data:image/png;base64,"));

@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <unistd.h>
 
 namespace cvo_slam {
@@ -18,7 +19,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// A terminal in the place of stderr as long as it lives.
+/// Replaces stderr by a terminal for as long as it lives.
 class TerminalStderr {
  public:
   TerminalStderr() : terminal_(posix_openpt(O_RDWR | O_NOCTTY)), stderr_(dup(STDERR_FILENO)) {
@@ -36,8 +37,10 @@ class TerminalStderr {
   TerminalStderr(const TerminalStderr&) = delete;
   TerminalStderr& operator=(const TerminalStderr&) = delete;
 
-  /// What was written to it since the last call, which must be something.
+  /// Returns what was written since the last call; waits up to ten seconds for it.
   [[nodiscard]] std::string text() const {
+    pollfd written{terminal_, POLLIN, 0};
+    if (poll(&written, 1, 10'000) != 1) return {};
     std::array<char, 4096> buffer{};
     const auto size = read(terminal_, buffer.data(), buffer.size());
     return {buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};

@@ -20,7 +20,7 @@ TEST(Reasons, LikeOnesAreTheSameWithoutTheirFigures) {
   EXPECT_EQ(without_figures("joined already"), "joined already");
 }
 
-/// A frame a second, of every second image; "" = tracked.
+/// One frame a second, from every second image; an empty reason means tracked.
 struct Frames {
   explicit Frames(const std::vector<std::string>& reasons) {
     for (std::size_t i = 0; i < reasons.size(); ++i) {

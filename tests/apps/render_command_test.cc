@@ -64,7 +64,7 @@ class RenderCommand : public testing::Test {
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
 
-  /// A picture of that size with something on it.
+  /// Expects a picture of that size with something on it.
   static void expect_picture(const std::string& file) {
     const cv::Mat image = cv::imread(file);
     ASSERT_EQ(image.size(), cv::Size(320, 240)) << file;

@@ -20,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-/// Makes programs that are started look for libraries in a folder first.
+/// Makes started programs look for libraries in a folder first.
 class LibraryFolder {
  public:
   explicit LibraryFolder(const std::filesystem::path& folder) {
@@ -74,7 +74,7 @@ class WithoutOsmesa : public testing::Test {
 };
 
 TEST_F(WithoutOsmesa, ALibraryThatCannotBeLoadedIsAClearLineOrTheFallback) {
-  // A file of that name which is no library is found first, and ends the search.
+  // A file of that name that is no library is found first, and ends the search.
   folder_.write("broken/libOSMesa.so.8", "no library");
   const auto libraries = folder_.path() / "broken";
   expect_error(render(libraries, "osmesa"), "libOSMesa.so.8 cannot be loaded");

@@ -16,7 +16,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
@@ -31,7 +31,7 @@ using testing::StartsWith;
 
 constexpr std::size_t kFrames = 12;
 
-/// Every frame a keyframe, and all that is joined is recognised.
+/// Every frame becomes a keyframe, and only place recognition adds edges.
 const std::vector<std::string> kSlam = {"--mode", "slam",
                                         "--set",  "tracker.keyframe.max_translation=0.01",
                                         "--set",  "tracker.keyframe.max_rotation=0.01",
@@ -41,10 +41,6 @@ const std::vector<std::string> kSlam = {"--mode", "slam",
 
 class ReportPage : public testing::Test {
  protected:
-  ReportPage() {
-    synthetic::write_sequence(sequence_, {.frames = kFrames, .width = 160, .height = 120});
-  }
-
   int run(const std::vector<std::string>& options, const std::string& out = "out") const {
     std::vector<std::string> arguments = {"run", sequence_, "--quiet", "--out",
                                           folder_.path() / out};
@@ -59,17 +55,6 @@ class ReportPage : public testing::Test {
     return read_text(file(out));
   }
 
-  void blank(std::size_t first, std::size_t last) const {
-    std::vector<std::filesystem::path> images;
-    for (const auto& entry : std::filesystem::directory_iterator(sequence_ / "rgb")) {
-      images.push_back(entry.path());
-    }
-    std::sort(images.begin(), images.end());
-    for (std::size_t i = first; i <= last; ++i) {
-      cv::imwrite(images[i], cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(128)));
-    }
-  }
-
   static std::size_t count(const std::string& text, const std::string& word) {
     std::size_t n = 0;
     for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1)) ++n;
@@ -82,8 +67,9 @@ class ReportPage : public testing::Test {
     return page.substr(0, begin) + page.substr(end);
   }
 
-  TemporaryFolder folder_;
-  std::filesystem::path sequence_ = folder_.path() / "room";
+  RoomSequence room_{kFrames};
+  const TemporaryFolder& folder_ = room_.folder();
+  const std::filesystem::path sequence_ = room_.path();
 };
 
 TEST_F(ReportPage, ShowsFiguresPlotsMapOptionsAndFiles) {
@@ -111,7 +97,7 @@ TEST_F(ReportPage, NeedsNothingButItself) {
   const std::regex outside(
       R"~(<script|@import|url\(|src="(?!data:)|href="(https?:|//)|<iframe| on\w+=")~");
   EXPECT_FALSE(std::regex_search(html, outside));
-  // What a link leads to is there.
+  // The target of every link exists.
   const std::regex link("<a href=\"([^\"]+)\"");
   for (std::sregex_iterator i(html.begin(), html.end(), link), end; i != end; ++i) {
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / i->str(1))) << i->str(1);
@@ -126,7 +112,7 @@ TEST_F(ReportPage, ShowsTheLoopsWithTheirImages) {
   ASSERT_GT(loops, 0U);
   EXPECT_EQ(count(html, "with their inlier matches\""), loops);
   EXPECT_EQ(count(html, "Accepted: CVO overlap"), loops);
-  EXPECT_THAT(html, HasSubstr(fmt::format("{} of places that were recognised (bow).", loops)));
+  EXPECT_THAT(html, HasSubstr(fmt::format("{} from recognised places (bow).", loops)));
   EXPECT_THAT(html, HasSubstr(fmt::format("<td>bow</td><td class=\"number\">{0}</td>", loops)));
 
   std::vector<std::string> options = kSlam;
@@ -166,7 +152,7 @@ TEST_F(ReportPage, IsTheSameAgainButForTimes) {
 }
 
 TEST_F(ReportPage, TellsWhenAndWhyFramesWereLost) {
-  blank(5, 6);
+  room_.blank(5, 6);
   EXPECT_EQ(run({}), 3);
   EXPECT_THAT(page(), HasSubstr("<td>5 to 6</td><td>1000.166667</td><td class=\"number\">2</td>"
                                 "<td>only 0 points"));
@@ -174,11 +160,11 @@ TEST_F(ReportPage, TellsWhenAndWhyFramesWereLost) {
 }
 
 TEST_F(ReportPage, OfARunThatNeverTrackedIsWhole) {
-  blank(0, kFrames - 1);
+  room_.blank(0, kFrames - 1);
   EXPECT_EQ(run({"--mode", "slam"}), 3);
   EXPECT_THAT(page(),
               AllOf(HasSubstr("0 of 12 frames"), HasSubstr("<td>0 to 11</td>"),
-                    HasSubstr("No picture of the map"), HasSubstr("No loop was closed. With"),
+                    HasSubstr("No picture of the map"), HasSubstr("No loop was closed. The option"),
                     HasSubstr("no errors: "), HasSubstr("</html>")));
   EXPECT_THAT(page(), Not(HasSubstr("nan")));
 }
@@ -210,7 +196,7 @@ TEST_F(ReportPage, ThatCannotBeWrittenIsAnErrorAfterTheFigures) {
   EXPECT_THAT(result.output, HasSubstr("ATE"));
 }
 
-/// The browser, or nothing where there is none.
+/// Returns the name of the browser, or nothing if there is none.
 std::optional<std::string> find_chromium() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
     if (std::system(fmt::format("command -v {} >/dev/null", name).c_str()) == 0) return name;
@@ -226,7 +212,7 @@ class ReportInABrowser : public ReportPage {
       GTEST_SKIP() << "no chromium on this machine; on Debian: apt-get install chromium";
   }
 
-  /// Opens a page and answers what the browser logs. An option says what to make of the page.
+  /// Opens a page and returns the log of the browser. The option says what to make of the page.
   [[nodiscard]] std::string open(const std::filesystem::path& html,
                                  const std::string& option) const {
     const auto log = folder_.path() / "browser.log";
@@ -250,7 +236,7 @@ class ReportInABrowser : public ReportPage {
   std::optional<std::string> browser_;
 };
 
-// So that the silence of the other tests means something.
+// Without this test an empty log in the others would prove nothing.
 TEST_F(ReportInABrowser, AnErrorOnTheConsoleWouldBeSeen) {
   const auto bad = folder_.write("bad.html", "<!DOCTYPE html><script>nonsense()</script>");
   const auto png = folder_.path() / "bad.png";

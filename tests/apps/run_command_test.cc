@@ -19,6 +19,7 @@
 #include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/synthetic/sequence.h"
+#include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
@@ -34,10 +35,6 @@ constexpr std::size_t kFrames = 12;
 
 class RunCommand : public testing::Test {
  protected:
-  RunCommand() {
-    synthetic::write_sequence(sequence_, {.frames = kFrames, .width = 160, .height = 120});
-  }
-
   [[nodiscard]] ProgramResult run(const std::vector<std::string>& options,
                                   const std::string& out = "out",
                                   const ProgramStreams& streams = {}) const {
@@ -72,18 +69,9 @@ class RunCommand : public testing::Test {
     EXPECT_THAT(result.errors, HasSubstr(text));
   }
 
-  /// Replaces an image of the sequence by one without anything to see.
-  void blank(std::size_t frame) const {
-    std::vector<std::filesystem::path> images;
-    for (const auto& entry : std::filesystem::directory_iterator(sequence_ / "rgb")) {
-      images.push_back(entry.path());
-    }
-    std::sort(images.begin(), images.end());
-    cv::imwrite(images[frame], cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(128)));
-  }
-
-  TemporaryFolder folder_;
-  std::filesystem::path sequence_ = folder_.path() / "room";
+  RoomSequence room_{kFrames};
+  const TemporaryFolder& folder_ = room_.folder();
+  const std::filesystem::path sequence_ = room_.path();
 };
 
 TEST_F(RunCommand, WritesEveryFileAndEndsWithATable) {
@@ -105,7 +93,8 @@ TEST_F(RunCommand, TheMapIsOfTheKeyframesAndCanBeLeftOut) {
   EXPECT_EQ(report["map"]["keyframes"], report["frames"]["keyframes"]);
   const Map map = read_map(folder_.path() / "out");
   EXPECT_EQ(map.points.size(), report["map"]["points"]);
-  // A single view of 160x120 pixels has a ninth as many samples, two or more a point.
+  // Every third pixel of a 160x120 image in each direction is a sample, and a point has two or
+  // more.
   EXPECT_GT(map.points.size(), 200U);
   // The room is 5 m long (docs/worlds.md), and the map is in the first camera's frame.
   for (const MapPoint& point : map.points) EXPECT_LT(point.position.norm(), 6);
@@ -274,7 +263,7 @@ TEST_F(RunCommand, FiguresArePrintedEvenWhereAFileCannotBeWritten) {
 }
 
 TEST_F(RunCommand, LostFramesAreMarkedAndTooManyAreExitCode3) {
-  blank(5);
+  room_.blank(5, 5);
   const auto result = run({});
   EXPECT_EQ(result.exit_code, 3);  // 1 of 12 is more than 5 %
   EXPECT_THAT(result.output, HasSubstr("lost         8.3 % (1 of 12 frames)"));
@@ -291,7 +280,7 @@ TEST_F(RunCommand, ABrokenImageIsALostFrameThatNamesTheFile) {
 }
 
 TEST_F(RunCommand, NoFrameTrackedIsExitCode3WithAllFiles) {
-  for (std::size_t i = 0; i < kFrames; ++i) blank(i);
+  room_.blank(0, kFrames - 1);
   const auto result = run({});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.output, HasSubstr("lost         100.0 %"));
@@ -326,7 +315,7 @@ TEST_F(RunCommand, AnUnwritableFolderIsSaidBeforeTheWork) {
 TEST_F(RunCommand, TheDefaultFolderHasALinkToTheLatest) {
   const auto here = std::filesystem::current_path();
   std::filesystem::current_path(folder_.path());
-  // So quick that most of them fall into the same second.
+  // The runs are so short that most of them fall into the same second.
   for (int i = 0; i < 4; ++i) {
     const auto result = run_program({"run", sequence_, "--quiet", "--frames", "0:2"});
     EXPECT_EQ(result.exit_code, 0) << result.errors;
@@ -339,23 +328,24 @@ TEST_F(RunCommand, TheDefaultFolderHasALinkToTheLatest) {
 }
 
 TEST_F(RunCommand, AnInterruptWritesWhatThereIs) {
-  // The paper's protocol takes seconds. The program is interrupted as soon as it has made its
-  // folder, which it does after it began to listen.
+  // The protocol of the paper takes seconds. The program is interrupted as soon as it has made its
+  // folder, which it does after it began to listen. A program that makes none is interrupted after
+  // a minute, and the test fails.
   const auto out = folder_.path() / "out";
   const std::string command = fmt::format(
-      "'{}' run '{}' --out '{}' --preset paper --quiet & while [ ! -e '{}/trajectory.txt' ]; do "
-      ":; done; kill -INT $!; wait $!",
+      "'{}' run '{}' --out '{}' --preset paper --quiet & for i in $(seq 6000); do "
+      "[ -e '{}/trajectory.txt' ] && break; sleep 0.01; done; kill -INT $!; wait $!",
       CVO_SLAM_PROGRAM, sequence_.string(), out.string(), out.string());
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 130);
   const auto report = nlohmann::json::parse(file("report.json"));
   EXPECT_TRUE(report["interrupted"]);
-  EXPECT_THAT(file("report.html"), HasSubstr("interrupted: what there was until then"));
+  EXPECT_THAT(file("report.html"), HasSubstr("interrupted: results until then"));
   EXPECT_LT(report["frames"]["processed"], kFrames);
 }
 
 TEST(DefaultConfiguration, FileIsWhatTheProgramPrints) {
-  // Where this fails: build/release/cvo_slam run --dump-config > config/default.yaml
+  // To update the file: build/release/cvo_slam run --dump-config > config/default.yaml
   EXPECT_EQ(read_text(std::filesystem::path(CVO_SLAM_SOURCE_DIR) / "config" / "default.yaml"),
             run_program({"run", "--dump-config"}).output);
 }

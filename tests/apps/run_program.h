@@ -21,7 +21,7 @@ struct ProgramResult {
   std::string errors;  ///< what it wrote to stderr
 };
 
-/// Other places for what the program writes; empty = a file whose text the result holds.
+/// Files for the output of the program; empty = a temporary file whose text the result has.
 struct ProgramStreams {
   std::string output = {};
   std::string errors = {};

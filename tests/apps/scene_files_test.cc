@@ -30,7 +30,7 @@ TEST(AddReference, TakesTheUpOfMotionCapture) {
   ASSERT_EQ(scene.paths.size(), 2U);
 }
 
-// The true poses of 7-Scenes are in a camera's frame: the map once lay on its back.
+// The true poses of 7-Scenes are in the frame of a camera: the map once lay on its back.
 TEST(AddReference, DoesNotTakeAnAxisAheadForUp) {
   const auto path = helix(20);
   render::MapScene scene = scene_of(path);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// `synth room <folder>` of three small frames, with these arguments as well.
+/// Runs `synth room <folder>` for three small frames, with more arguments.
 ProgramResult synth(const fs::path& folder, const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments = {"synth", "room",   folder, "--frames",
                                         "3",     "--size", "64x48"};
@@ -75,7 +75,7 @@ TEST(SynthCommand, DumpedOptionsCanBeReadAgain) {
   const auto config = folder.write("sensor.yaml", dumped.output);
   const auto again = run_program({"synth", "--config", config, "--dump-config"});
   EXPECT_EQ(again.output, dumped.output);
-  // A setting of the command line comes last.
+  // A setting of the command line overrides the file.
   const auto set =
       run_program({"synth", "--config", config, "--set", "sensor.image.read=7", "--dump-config"});
   EXPECT_THAT(set.output, HasSubstr("read: 7\n"));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// `cvo_slam synth`: which world, which path.
+// The choice of the world and the path in `cvo_slam synth`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 class SynthWorld : public testing::Test {
  protected:
-  /// Two small frames into a folder of that name.
+  /// Writes two small frames into a folder of that name.
   ProgramResult synth(const std::string& world, const std::string& name,
                       const std::vector<std::string>& options = {}) const {
     std::vector<std::string> words = {"synth", world,    path(name), "--frames",

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 class VocabCommand : public testing::Test {
  protected:
-  /// A folder of pictures, as a stranger may have it.
+  /// Makes a folder of pictures that is no data set.
   VocabCommand() {
     std::filesystem::create_directories(pictures_);
     const Poster poster(1);
@@ -81,7 +81,7 @@ TEST_F(VocabCommand, InfoIsOfTheBuiltInOneOrAFile) {
   EXPECT_THAT(of_file.output, HasSubstr("branching       4\n"));
 }
 
-/// What is built in is what config/vocabulary/ holds.
+/// The built-in vocabulary is the file in config/vocabulary/.
 TEST_F(VocabCommand, TheBuiltInOneIsTheOneOfTheRepository) {
   const auto file = std::filesystem::path(CVO_SLAM_SOURCE_DIR) / "config/vocabulary/orb.voc";
   const ProgramResult of_file = run_program({"vocab", "info", file, "--json"});

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # cmake -D PREFIX=... -D SOURCE_DIR=... -P check_installed_files.cmake
-# The installed headers are those of the rooms that are not named *_internal.h, and the installed
-# CMake files do not lead back to the source or build tree.
+# Checks that the headers of the rooms that are not named *_internal.h are installed, and no others,
+# and that the installed CMake files do not lead back to the source or build tree.
 
-foreach(ROOM core frontend backend loop io slam)
+foreach(ROOM core frontend backend loop slam io plot render synthetic)
   file(GLOB_RECURSE HEADERS RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/${ROOM}/*.h)
   list(APPEND EXPECTED ${HEADERS})
 endforeach()
@@ -30,9 +30,9 @@ if(NOT SCRIPTS OR NOT EXPECTED)
 endif()
 foreach(SCRIPT IN LISTS SCRIPTS)
   file(READ ${SCRIPT} TEXT)
-  # ${PREFIX} itself lies in the build tree.
+  # ${PREFIX} itself is in the build tree.
   string(REPLACE "${PREFIX}" "" TEXT "${TEXT}")
-  # Only where a path begins: a checkout in /cvo_slam is not meant by lib/cmake/cvo_slam.
+  # A path is looked for at its begin only: lib/cmake/cvo_slam does not name a checkout in /cvo_slam.
   string(REGEX REPLACE "[; ]" "\"" TEXT "${TEXT}")
   string(FIND "${TEXT}" "\"${SOURCE_DIR}" POSITION)
   if(NOT POSITION EQUAL -1)

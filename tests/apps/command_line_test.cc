@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/apps/usage.h"
+#include "cvo_slam/apps/command_line.h"
 
 #include <algorithm>
 
+#include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// A program like ours: a command with options, one with commands of its own.
+/// A program like ours, with a command that has options and one that has commands of its own.
 class Usage : public testing::Test {
  protected:
   Usage() {

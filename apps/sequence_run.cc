@@ -1,21 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/apps/odometry_run.h"
+#include "cvo_slam/apps/sequence_run.h"
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <ctime>
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "cvo_slam/apps/interrupt.h"
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/dataset.h"
 
 namespace cvo_slam {
 namespace {
+
+volatile std::sig_atomic_t interrupt_requested = 0;
 
 using Clock = std::chrono::steady_clock;
 
@@ -29,22 +31,7 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts kibibytes
 }
 
-}  // namespace
-
-double process_cpu_seconds() {
-  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
-}
-
-std::size_t OdometryRun::keyframes() const {
-  return static_cast<std::size_t>(
-      std::count_if(records.begin(), records.end(),
-                    [](const FrameRecord& record) { return !record.keyframe_reason.empty(); }));
-}
-
-double OdometryRun::fps() const {
-  return seconds > 0 ? static_cast<double>(records.size()) / seconds : 0;
-}
-
+/// Gives the frames of a range to `track`, and calls `finish` after the last one.
 OdometryRun run_frames(const Dataset& data, const FrameRange& range,
                        const std::function<FrameRecord(const RgbdFrame&)>& track,
                        const std::function<void()>& finish, const RunControl& control) {
@@ -75,6 +62,34 @@ OdometryRun run_frames(const Dataset& data, const FrameRange& range,
   return run;
 }
 
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  interrupt_requested = 0;
+  previous_ = std::signal(SIGINT, [](int) {
+    interrupt_requested = 1;
+    std::signal(SIGINT, SIG_DFL);
+  });
+}
+
+InterruptGuard::~InterruptGuard() { std::signal(SIGINT, previous_); }
+
+bool InterruptGuard::requested() { return interrupt_requested != 0; }
+
+double process_cpu_seconds() {
+  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+std::size_t OdometryRun::keyframes() const {
+  return static_cast<std::size_t>(
+      std::count_if(records.begin(), records.end(),
+                    [](const FrameRecord& record) { return !record.keyframe_reason.empty(); }));
+}
+
+double OdometryRun::fps() const {
+  return seconds > 0 ? static_cast<double>(records.size()) / seconds : 0;
+}
+
 OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
                          const TrackerOptions& options, const RunControl& control) {
   Tracker tracker(data.camera(), options);
@@ -95,6 +110,19 @@ std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajecto
     notes.push_back(fmt::format("no errors: {}", error.what()));
     return std::nullopt;
   }
+}
+
+SlamRun run_slam(const Dataset& data, const FrameRange& range, const ProgramOptions& options,
+                 const std::shared_ptr<const Vocabulary>& vocabulary, const RunControl& control) {
+  Slam slam(data.camera(), options.tracker, options.slam, vocabulary);
+  SlamRun result;
+  result.run = run_frames(
+      data, range, [&](const RgbdFrame& frame) { return slam.track(frame); },
+      [&] { slam.finish(); }, control);
+  result.trajectory = slam.trajectory(TrajectoryView::kFinal);
+  result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(),
+                  slam.graph_statistics()};
+  return result;
 }
 
 }  // namespace cvo_slam

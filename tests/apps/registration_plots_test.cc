@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/apps/step_plot.h"
+#include "cvo_slam/apps/registration_plots.h"
 
 #include <cmath>
 
@@ -23,12 +23,12 @@ TEST(StepFigure, ShowsTheCurveItsExpansionsAndTheirSteps) {
   EXPECT_EQ(series[0].label, "exact");
   EXPECT_EQ(series[1].label, "2nd order");
   EXPECT_EQ(series[2].label, "4th order");
-  // On the label's unit, a power of ten, the longer step is between 1 and 10.
+  // In the unit of the label, a power of ten, the longer step is between 1 and 10.
   const double longest = std::max(series[3].x[0], series[4].x[0]);
   EXPECT_GE(longest, 1);
   EXPECT_LT(longest, 10);
   EXPECT_EQ(series[4].y[0], curve.exact(curve.step(4)));
-  // Grey print tells the expansions apart.
+  // The expansions can be told apart in grey print, too.
   EXPECT_NE(series[1].pattern, series[2].pattern);
 }
 

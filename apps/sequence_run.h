@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Running a sequence through the tracker or through Slam.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cvo_slam/apps/argument_text.h"
+#include "cvo_slam/apps/evaluation_report.h"
+#include "cvo_slam/apps/tracking_arguments.h"
+#include "cvo_slam/core/point_fusion.h"
+#include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/core/trajectory.h"
+#include "cvo_slam/frontend/tracker.h"
+#include "cvo_slam/io/dataset.h"
+#include "cvo_slam/slam/slam.h"
+
+namespace cvo_slam {
+
+/// Catches SIGINT for as long as it lives, so that a run can end early and still write what there
+/// is. A second SIGINT ends the program at once. There may be one guard at a time.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  /// True if SIGINT arrived.
+  [[nodiscard]] static bool requested();
+
+ private:
+  void (*previous_)(int);
+};
+
+/// Wall time of one frame.
+struct FrameCost {
+  double read_ms = 0;   ///< time of waiting for the images, which are decoded ahead
+  double track_ms = 0;  ///< time of tracking
+};
+
+/// How a run goes, whatever its tracker.
+struct RunControl {
+  bool quiet = false;  ///< show no progress
+  /// Distance between the pixels of a keyframe that are kept for a map (core/point_fusion.h) [px];
+  /// 0 = keep none.
+  int kept_pixel_step = 0;
+};
+
+/// CPU time of the process so far [s].
+[[nodiscard]] double process_cpu_seconds();
+
+/// A sequence as a tracker went through it.
+struct OdometryRun {
+  std::vector<FrameRecord> records;
+  std::vector<FrameCost> costs;  ///< one for each record
+  std::vector<SampledFrame> kept_keyframes;
+  double seconds = 0;         ///< wall time of all frames, and of the work after the last one
+  double cpu_seconds = 0;     ///< CPU time of the process meanwhile
+  double peak_memory_mb = 0;  ///< peak memory of the process so far
+  bool interrupted = false;
+
+  [[nodiscard]] std::size_t keyframes() const;
+  [[nodiscard]] double fps() const;
+};
+
+/// The pose graph of a run and how it came about.
+struct GraphResult {
+  PoseGraph graph;
+  std::vector<Keyframe> keyframes;
+  std::vector<LoopCandidate> candidates;
+  GraphStatistics statistics;
+};
+
+/// A sequence as Slam went through it.
+struct SlamRun {
+  OdometryRun run;        ///< has the online poses
+  Trajectory trajectory;  ///< the final one
+  GraphResult graph;
+};
+
+/// Runs the frames of a range through the tracker alone. Ends early, with what there is, if the
+/// user interrupts (SIGINT) while an InterruptGuard lives.
+[[nodiscard]] OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
+                                       const TrackerOptions& options, const RunControl& control);
+
+/// Runs the frames of a range through Slam, and ends early in the same way. A null vocabulary means
+/// the built-in one.
+[[nodiscard]] SlamRun run_slam(const Dataset& data, const FrameRange& range,
+                               const ProgramOptions& options,
+                               const std::shared_ptr<const Vocabulary>& vocabulary,
+                               const RunControl& control);
+
+/// Returns the errors against the sequence's reference; nothing if there is no reference or nothing
+/// to compare, with a line in `notes` that says why.
+[[nodiscard]] std::optional<EvaluationReport> evaluate_run(const Dataset& data,
+                                                           const Trajectory& trajectory,
+                                                           std::vector<std::string>& notes);
+
+}  // namespace cvo_slam
