@@ -4,17 +4,23 @@
 #
 # run_sensitivity.sh [output file]
 #
-# Multiplies each default of the tracker by 0.7 and 1.4 and prints what that does on three sequences:
-# the table of docs/tracking.md. Takes about ten minutes.
+# Multiplies each default of the tracker by 0.7 and 1.4 and writes what that does on three sequences to
+# docs/results/sensitivity.md. Takes about ten minutes.
 #
+#   PROGRAM         (default build/release/cvo_slam)
 #   CVO_SLAM_DATA   folder of the recorded sequences (default: ../shared/data beside the checkout)
 set -eu
 
 cd "$(dirname "$0")/.."
-program=build/release/cvo_slam
+. bench/results_page.sh
+program=${PROGRAM:-build/release/cvo_slam}
 data=${CVO_SLAM_DATA:-../shared/data}
 office=build/sensitivity/office
-out=${1:-/dev/stdout}
+page=${1:-docs/results/sensitivity.md}
+draft=build/sensitivity/sensitivity.md
+
+require_program "$program" 'make build'
+mkdir -p build/sensitivity
 
 [ -f "$office/rgb.txt" ] || "$program" synth office "$office" --frames 300 --seed 21 \
   --noise kinect --set sensor.exposure.time=0 --image jpeg > /dev/null 2>&1
@@ -25,6 +31,17 @@ figures() {
     awk -F'|' '/^\| ours/ { gsub(/ /, ""); printf "%s / %s, %s, %s", $3, $4, $7, $8 }'
 }
 
+# A setting of the tracker with the beginning of its key, which depends on whether it is an expert's.
+full_setting() {
+  for key in "tracker.$1" "expert.tracker.$1"; do
+    "$program" run --dump-config --set "$key" > /dev/null 2>&1 || continue
+    echo "$key"
+    return
+  done
+  echo "run_sensitivity.sh: there is no option for '$1'" >&2
+  return 1
+}
+
 row() {
   printf '| %s | %s | %s | %s |\n' "$1" \
     "$(figures "$data/tum/rgbd_dataset_freiburg1_rpy" : "$2")" \
@@ -33,6 +50,11 @@ row() {
 }
 
 {
+  # shellcheck disable=SC2016  # Markdown's quotes
+  begin_page Sensitivity bench/run_sensitivity.sh \
+    'Each default of the tracker times 0.7 and 1.4, and switches turned: RPE over 1 s [mm / deg], ATE [mm], lost
+frames. Settings are below `tracker.`'
+  printf '\n'
   echo '| setting | fr1/rpy: RPE 1 s [mm / deg], ATE [mm], lost | 7-Scenes, 500 frames | office, Kinect noise, 300 frames |'
   echo '| --- | --- | --- | --- |'
   row defaults ''
@@ -50,6 +72,9 @@ row() {
     selection.max_depth=4.2 selection.max_depth=8.4 \
     compensate_depth_delay=false compensate_rolling_shutter=false recovery_scales=0 \
     registration.kernel.color_kernel=linear; do
-    row "\`$setting\`" "tracker.$setting"
+    key=$(full_setting "$setting")
+    row "\`$setting\`" "$key"
   done
-} > "$out"
+} > "$draft"
+mv "$draft" "$page"
+echo "run_sensitivity.sh: wrote $page" >&2

@@ -181,23 +181,11 @@ compare_lists() {
     sed "s|^|$reference/files.md: $1: not documented: |" >> "$faults"
 }
 
-# The keys of a JSON file that was printed with two spaces a level, as dotted paths, without those
-# that only hold others. Left out is what is below "options", the keys of options.md, and below the
-# statistics of errors, which files.md explains once.
+# The keys of a report as dotted paths, without those that only hold others. Left out is what is below
+# "options", the keys of options.md, and below the statistics of errors, which files.md explains once.
 json_keys() {
-  awk '
-    /^ *"[^"]*": / {
-      match($0, /^ */)
-      depth = RLENGTH / 2
-      name = $0
-      sub(/^ *"/, "", name)
-      sub(/": .*/, "", name)
-      path[depth] = name
-      key = ""
-      for (i = 1; i <= depth; ++i) if (path[i] != "") key = key (key == "" ? "" : ".") path[i]
-      if (key !~ /^options\./ && key !~ /(translation_m|rotation_deg)\./) print key
-    }
-    /^ *[\]}{]/ { match($0, /^ */); path[RLENGTH / 2] = "" }' "$1" | sort -u |
+  awk -f tools/json_lines.awk "$1" | cut -f 1 |
+    grep -v -e '^options\.' -e 'translation_m\.' -e 'rotation_deg\.' | sort -u |
     awk '
       last != "" && index($0, last ".") != 1 { print last }
       { last = $0 }

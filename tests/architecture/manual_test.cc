@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -124,6 +125,17 @@ TEST(Manual, PagesThatTheSourcesNameExist) {
           << file.path << ":" << i + 1 << ": " << match.str();
     }
   }
+}
+
+std::string text_of(const fs::path& file) {
+  return fmt::format("{}\n", fmt::join(lines_of(file), "\n"));
+}
+
+TEST(Manual, TheReadmeShowsTheExampleAsItIs) {
+  const fs::path root = CVO_SLAM_SOURCE_DIR;
+  const std::string example = text_of(root / "apps" / "examples" / "track_sequence.cc");
+  const std::string code = example.substr(example.find("#include"));
+  EXPECT_THAT(text_of(root / "README.md"), testing::HasSubstr("```cpp\n" + code + "```\n"));
 }
 
 TEST(Manual, ABrokenLinkIsFound) {
