@@ -128,7 +128,8 @@ void add_synth_command(CLI::App& app, Action& action) {
   const std::string scenes = fmt::format("{}", fmt::join(synthetic::world_names(), ", "));
   command->add_option(
       "scene", arguments->sequence.scene,
-      "The world to record: a file (*.yaml, see docs/worlds.md) or one of " + scenes);
+      "The world to record: a file (*.yaml, see docs/reference/synthetic-worlds.md) or one of " +
+          scenes);
   command->add_option("folder", arguments->folder, "Where to write the sequence");
   command->add_option("--dump-world", arguments->dump,
                       "Write the world as a file to this place, and record nothing");

@@ -3,7 +3,7 @@
 //
 // What the loops of a whole run are worth: of those that are left in the final graph, how many are
 // right; of the times that the camera came back to a place, how many were noticed; and the error of
-// the path. A row of the table of docs/loops.md for each sequence.
+// the path. A row of the table of docs/results/place-recognition.md for each sequence.
 //   closed_loops [--verbose] sequence...
 #include <algorithm>
 #include <cstdio>

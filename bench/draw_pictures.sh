@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The cvo_slam authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Draws the pictures of docs/rendering.md and of the README: `make pictures`. Takes the sequence of
+# Draws the pictures of docs/guide/pictures.md and of the README: `make pictures`. Takes the sequence of
 # `make demo`. The page of the README is drawn where there is a Chromium.
 set -eu
 

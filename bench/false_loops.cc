@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // false_loops [graph.g2o | folder of a run  groundtruth.txt]: what false loops do to a graph under
-// each loss, as the tables of docs/backend.md. Without arguments the graph is the one of the tests,
-// whose true poses are known; a file's is compared with its optimum without false loops, a run's
-// (ATE of its keyframes) with the ground truth.
+// each loss, as the tables of docs/results/pose-graphs.md. Without arguments the graph is the one
+// of the tests, whose true poses are known; a file's is compared with its optimum without false
+// loops, a run's (ATE of its keyframes) with the ground truth.
 #include <cstdio>
 #include <filesystem>
 #include <functional>

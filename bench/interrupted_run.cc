@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a run is worth whose camera was blind for a while in the middle: the frames of two seconds
-// are white, black or blurred beyond recognition. The table of docs/loops.md.
+// are white, black or blurred beyond recognition. The table of docs/results/place-recognition.md.
 //   interrupted_run [--seconds 2] [--at 0.5] [--frames n] [--blind white,black,blurred] sequence...
 #include <algorithm>
 #include <memory>

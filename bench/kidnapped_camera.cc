@@ -3,7 +3,7 @@
 //
 // A camera walks through a synthetic world with a Kinect's noise, is carried to a place that it has
 // seen, then to one that it has not, and so on: how often, how fast and how rightly it is found.
-// The table of docs/loops.md.
+// The table of docs/results/place-recognition.md.
 //   kidnapped_camera [--worlds house,office,room] [--seeds 3] [--trials 5] [--verbose]
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 //
 // How well places are recognised before any graph helps: precision and recall of the loop
 // detector's candidates and of its verified loops, on a sequence whose poses are known. The tables
-// of docs/loops.md.
+// of docs/results/place-recognition.md.
 //   loop_quality <sequence> [--step 15] [--first a] [--last b] [--vocabulary file] [--all-pairs]
 //   [--register]
 //                [--set key=value]... [--pictures folder] [--verbose]

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a feature detector and the tracker see of real images and of the synthetic worlds, as the
-// table of docs/worlds.md; and that page's pictures.
+// table of docs/results/synthetic-images.md; and the pictures of docs/images/worlds.
 //   world_statistics [--real <sequence>]... [--frames 12] [--pictures <folder>] [--only <world>]
 #include <algorithm>
 #include <array>

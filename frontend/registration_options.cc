@@ -56,7 +56,8 @@ OptionSet describe(RegistrationOptions& o) {
            "correlated and both clouds have it.")
       .add("information_scale", o.information_scale, {1e-6, 1e6}, "",
            "Factor of the information matrix, calibrated with depth_noise on synthetic rooms with "
-           "a Kinect's noise so that most errors are inside the 95 % gate; see docs/tracking.md.")
+           "a Kinect's noise so that most errors are inside the 95 % gate; see "
+           "docs/theory/tracking.md.")
       .add("flow", describe(o.flow));
 }
 

@@ -9,7 +9,7 @@
 #include "cvo_slam/core/options.h"
 
 // What is not ideal about a recorded camera. Everything is off by default: the options of the
-// preset "none". docs/sensor.md has the formulas and their sources.
+// preset "none". docs/reference/synthetic-sensor.md has the formulas and their sources.
 
 namespace cvo_slam::synthetic {
 

@@ -10,10 +10,11 @@
 
 namespace cvo_slam::synthetic {
 
-/// Reads a world of the format that docs/worlds.md describes. Textures and tremor without a seed of
-/// their own get one from `seed`. Throws InputError with file and line for an unknown key or word
-/// (the message gives the nearest one), a bad number, an impossible size, too few viewpoints, and
-/// where the camera would come nearer than 5 cm to a surface (with the time).
+/// Reads a world of the format that docs/reference/synthetic-worlds.md describes. Textures and
+/// tremor without a seed of their own get one from `seed`. Throws InputError with file and line for
+/// an unknown key or word (the message gives the nearest one), a bad number, an impossible size,
+/// too few viewpoints, and where the camera would come nearer than 5 cm to a surface (with the
+/// time).
 [[nodiscard]] World read_world(const std::filesystem::path& file, std::uint32_t seed = 1);
 /// The same of a text; `file` is for messages.
 [[nodiscard]] World parse_world(const std::string& text, const std::filesystem::path& file,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the CVO paper (Ghaffari et al., RSS 2019) prints something else than docs/cvo.md derives,
-// or says two things, these tests decide. Those of single coefficients are in
+// Where the CVO paper (Ghaffari et al., RSS 2019) prints something else than docs/theory/cvo.md
+// derives, or says two things, these tests decide. Those of single coefficients are in
 // gradient_flow_test.cc.
 #include <array>
 #include <cmath>

@@ -144,7 +144,8 @@ TEST_F(LoopDetectorWalk, AnswersAreTheSameEveryTime) {
 TEST_F(LoopDetectorWalk, MemoryOfAKeyframeIsAsDocumented) {
   const std::size_t before = detector_.bytes();
   for (std::size_t i = 0; i < 20; ++i) detector_.add(detector_.extract(frame(i)));
-  // docs/loops.md: 85 bytes a feature in the mean, with what vectors keep to spare.
+  // docs/theory/place-recognition.md: 85 bytes a feature in the mean, with what vectors keep to
+  // spare.
   const double a_feature = static_cast<double>(detector_.bytes() - before) / 20 / 500;
   EXPECT_GT(a_feature, 28 + 32 + 8);
   EXPECT_LT(a_feature, 130);
