@@ -37,10 +37,11 @@ Written by \`$2\`; do not edit. $3
 END
 }
 
-# The value of a key of a report.json, from the lines of tools/json_lines.awk on stdin: key, which of
-# its occurrences, factor, format.
+# The value of a key of a report.json, from the lines of tools/json_lines.awk on stdin: key, factor,
+# format, and for relative errors the unit of the distance ("s", "frames"), as there are several.
 json_figure() {
-  awk -F '\t' -v key="$1" -v wanted="$2" -v factor="$3" -v format="$4" '
-    $1 == key && ++found == wanted { printf format, factor * $2; printed = 1; exit }
+  awk -F '\t' -v key="$1" -v factor="$2" -v format="$3" -v wanted="${4:-}" '
+    $1 == "evaluation.rpe.unit" { gsub(/"/, "", $2); unit = $2 }
+    $1 == key && (wanted == "" || wanted == unit) { printf format, factor * $2; printed = 1; exit }
     END { if (!printed) printf "-" }'
 }

@@ -39,14 +39,15 @@ mode_row() {
   awk -f tools/json_lines.awk "$work/report.json" > "$work/figures"
   figure() { json_figure "$@" < "$work/figures"; }
   error=evaluation.rpe.error
-  frames=$(figure frames.processed 1 1 %d)
+  frames=$(figure frames.processed 1 %d)
   printf '| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n' "$1" \
-    "$(figure $error.translation_m.rmse 1 1000 %.1f)" "$(figure $error.rotation_deg.rmse 1 1 %.2f)" \
-    "$(figure $error.translation_m.rmse 2 1000 %.1f)" "$(figure $error.rotation_deg.rmse 2 1 %.2f)" \
-    "$(figure evaluation.ate.translation_m.rmse 1 1000 %.1f)" "$(figure frames.lost 1 1 %d)" \
-    "$(figure frames.keyframes 1 1 %d)" "$(figure graph.loop_edges 1 1 %d)" \
-    "$(figure cost.cpu_s 1 "$(echo "$frames" | awk '{ print 1000 / ($1 > 0 ? $1 : 1) }')" %.1f)" \
-    "$(figure cost.peak_memory_mb 1 1 %.0f)"
+    "$(figure $error.translation_m.rmse 1000 %.1f s)" "$(figure $error.rotation_deg.rmse 1 %.2f s)" \
+    "$(figure $error.translation_m.rmse 1000 %.1f frames)" \
+    "$(figure $error.rotation_deg.rmse 1 %.2f frames)" \
+    "$(figure evaluation.ate.translation_m.rmse 1000 %.1f)" "$(figure frames.lost 1 %d)" \
+    "$(figure frames.keyframes 1 %d)" "$(figure graph.loop_edges 1 %d)" \
+    "$(figure cost.cpu_s "$(echo "$frames" | awk '{ print 1000 / ($1 > 0 ? $1 : 1) }')" %.1f)" \
+    "$(figure cost.peak_memory_mb 1 %.0f)"
 }
 
 # The figures of one sequence, with the commands that give them: title, path as people write it, path

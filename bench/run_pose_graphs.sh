@@ -34,8 +34,8 @@ mkdir -p "$work"
 costs() {
   "$program" optimize "$graphs/$1.g2o" "$work/out.g2o" --init "$2" --json > "$work/report.json"
   awk -f tools/json_lines.awk "$work/report.json" > "$work/figures"
-  printf ' %s | %s |' "$(json_figure cost.before 1 1 %.3g < "$work/figures")" \
-    "$(json_figure cost.after 1 1 %.8g < "$work/figures")"
+  printf ' %s | %s |' "$(json_figure cost.before 1 %.3g < "$work/figures")" \
+    "$(json_figure cost.after 1 %.8g < "$work/figures")"
 }
 
 optimum_row() {
