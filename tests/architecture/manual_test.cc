@@ -5,6 +5,7 @@
 // of it where the link names one; every page that a source file or a script names exists.
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -16,6 +17,7 @@
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "cvo_slam/tests/architecture/rules.h"
 #include "cvo_slam/tests/architecture/source_file.h"
@@ -151,6 +153,32 @@ TEST(Manual, ABrokenLinkIsFound) {
               testing::ElementsAre(EndsWith("page.md:3: other.md: no such file"),
                                    EndsWith("page.md:7: images/no.png: no such file"),
                                    EndsWith("page.md:7: page.md#e: no such heading")));
+}
+
+/// Exit code of a shell command that runs in a folder.
+int run_in(const fs::path& folder, const std::string& command) {
+  const std::string line =
+      fmt::format("cd '{}' && ( {} ) > /dev/null 2>&1", folder.string(), command);
+  return WEXITSTATUS(std::system(line.c_str()));
+}
+
+TEST(Results, ATreeWithChangesIsRefused) {
+  const TemporaryFolder folder;
+  const fs::path& root = folder.path();
+  fs::create_directories(root / "docs" / "results");
+  fs::copy_file(fs::path(CVO_SLAM_SOURCE_DIR) / "bench" / "results_page.sh", root / "page.sh");
+  const std::string script = "unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE; . ./page.sh";
+  EXPECT_EQ(run_in(root, script), 2) << "there is no revision outside of a checkout";
+
+  const std::string commit =
+      "unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE; git init && git add . && git -c user.name=a "
+      "-c user.email=a@example.org -c core.hooksPath=/dev/null commit -m a";
+  if (run_in(root, commit) != 0) GTEST_SKIP() << "git is not installed";
+  EXPECT_EQ(run_in(root, script), 0);
+  std::ofstream(root / "docs" / "results" / "page.md") << "a page that is written again\n";
+  EXPECT_EQ(run_in(root, script), 0);
+  std::ofstream(root / "source.cc") << "a change\n";
+  EXPECT_EQ(run_in(root, script), 2);
 }
 
 }  // namespace
