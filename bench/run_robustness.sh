@@ -27,11 +27,11 @@ room_seeds=${ROOM_SEEDS-$seeds}
 frames=${FRAMES:-60}
 systems=${SYSTEMS:-ours,paper,rgbd,rgbd_icp,icp}
 folder=build/robustness/$(git describe --always)
-# Of this process, so that several can share the work, by seeds.
+# The names contain the process, so that several processes can share the work, by seeds.
 sequence=$folder/sequence_$$
 draft=$folder/robustness_$$.md
 figures=docs/images/robustness
-# A Kinect without motion blur, which would take most of the time.
+# The sensor is a Kinect without motion blur, which would take most of the time.
 kinect='--noise kinect --set sensor.exposure.time=0'
 rooms='room office house'
 kinds='structure_texture_near structure_texture_far structure_notexture_near
@@ -41,7 +41,7 @@ kinds='structure_texture_near structure_texture_far structure_notexture_near
 require_program "$program" 'make build'
 mkdir -p "$folder" "$figures"
 
-# record <world> <seed> <options of synth>: the sequence that is tracked next.
+# record <world> <seed> <options of synth> makes the sequence that is tracked next.
 record() {
   echo "run_robustness.sh: $*" >&2
   rm -rf "$sequence"
@@ -52,7 +52,7 @@ record() {
 
 is_measured() { [ -f "$folder/$1.rows" ]; }
 
-# track <name> <sequence> <systems> <frames> [options]: the rows of a table of `bench odometry` in
+# track <name> <sequence> <systems> <frames> [options] writes the rows of a table of `bench odometry` to
 # <folder>/<name>.rows.
 track() {
   # shellcheck disable=SC2086  # several arguments
@@ -61,8 +61,8 @@ track() {
   mv "$folder/$1.part" "$folder/$1.rows"
 }
 
-# The middle one of the rows' numbers in a column, and for how many runs success was declared.
-# summary <name> <system> <mm> <deg> reads <name>_*.rows.
+# summary <name> <system> <mm> <deg> reads <name>_*.rows and prints the medians of a system's figures, and
+# in how many runs no frame was lost and the RPE was within the two limits.
 summary() {
   cat "$folder/$1"_[0-9]*.rows | awk -F '|' -v wanted="$2" -v mm="$3" -v deg="$4" '
     function median(list, n,   i, j, held) {
@@ -85,8 +85,8 @@ summary() {
     }'
 }
 
-# better <shown name> <name> <systems> reads <name>_*.rows: a row for each system whose median RPE is
-# lower than ours, or that loses fewer frames.
+# better <shown name> <name> <systems> reads <name>_*.rows and prints a row for each system whose median
+# RPE is lower than ours, or that loses fewer frames.
 better() {
   ours=$(summary "$2" ours 0 0)
   for system in $(echo "$3" | tr ',' ' '); do
@@ -103,7 +103,7 @@ each_system() { echo "$systems" | tr ',' ' '; }
 
 # --- Measure -------------------------------------------------------------------------------------
 
-# A room and its thinned versions, from one recording.
+# measure_room <world> <seed> tracks a room and its thinned versions, from one recording.
 measure_room() {
   ! is_measured "every_3rd_$1_$2" || return 0
   record "$1" "$2" "$kinect"
@@ -112,7 +112,7 @@ measure_room() {
   track "every_3rd_$1_$2" "$sequence" ours,rgbd ::3
 }
 
-# Of the first seed with its figure.
+# measure_kind <world> <seed> tracks one of the eight kinds, and draws the figure of the first seed.
 measure_kind() {
   figure=
   [ "$2" != "${seeds%% *}" ] || [ -f "$figures/$1.svg" ] || figure="--plot $folder/figure"

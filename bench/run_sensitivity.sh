@@ -25,13 +25,14 @@ mkdir -p build/sensitivity
 [ -f "$office/rgb.txt" ] || "$program" synth office "$office" --frames 300 --seed 21 \
   --noise kinect --set sensor.exposure.time=0 --image jpeg > /dev/null 2>&1
 
-# "RPE mm / deg, ATE mm, lost" of ours: dataset, frames, setting.
+# figures <dataset> <frames> <setting> prints "RPE mm / deg, ATE mm, lost" of our tracker.
 figures() {
   "$program" bench odometry "$1" --frames "$2" --systems ours --quiet ${3:+--set "$3"} 2> /dev/null |
     awk -F'|' '/^\| ours/ { gsub(/ /, ""); printf "%s / %s, %s, %s", $3, $4, $7, $8 }'
 }
 
-# A setting of the tracker with the beginning of its key, which depends on whether it is an expert's.
+# full_setting <setting> prints a setting of the tracker with its whole key, which begins with `expert.`
+# if it is an expert's option.
 full_setting() {
   for key in "tracker.$1" "expert.tracker.$1"; do
     "$program" run --dump-config --set "$key" > /dev/null 2>&1 || continue

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The manual has no broken links: every relative link of a page leads to a file, and to a heading
-// of it where the link names one; every page that a source file or a script names exists.
+// of it where the link names one; every page that a source file or a script names exists. Pages of
+// results are only made from a tree without changes.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
