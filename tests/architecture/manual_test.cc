@@ -141,6 +141,26 @@ TEST(Manual, TheReadmeShowsTheExampleAsItIs) {
   EXPECT_THAT(text_of(root / "README.md"), testing::HasSubstr("```cpp\n" + code + "```\n"));
 }
 
+TEST(Manual, TheTestsThatTheErrataNameExist) {
+  const fs::path root = CVO_SLAM_SOURCE_DIR;
+  std::string tests;
+  for (const auto& entry : fs::directory_iterator(root / "tests" / "frontend")) {
+    tests += text_of(entry.path());
+  }
+  static const std::regex kTest("`([A-Z][A-Za-z]{5,})(?:\\.([A-Z][A-Za-z]+|\\*))?`");
+  const std::string page = text_of(root / "docs" / "theory" / "cvo.md");
+  std::size_t names = 0;
+  for (auto it = std::sregex_iterator(page.begin(), page.end(), kTest);
+       it != std::sregex_iterator(); ++it) {
+    ++names;
+    EXPECT_THAT(tests, testing::HasSubstr(it->str(1))) << "docs/theory/cvo.md: " << it->str();
+    if (it->str(2) != "*") {
+      EXPECT_THAT(tests, testing::HasSubstr(it->str(2))) << "docs/theory/cvo.md: " << it->str();
+    }
+  }
+  EXPECT_GT(names, 10U);
+}
+
 TEST(Manual, ABrokenLinkIsFound) {
   const TemporaryFolder folder;
   const fs::path page = folder.path() / "page.md";
