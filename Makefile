@@ -62,15 +62,15 @@ test: build ## Build the release preset and run all tests
 build: build-release ## Build the release preset
 
 .PHONY: eval
-eval: build-release ## Run the full sequences, write docs/benchmarks.md
+eval: build-release ## Run the full sequences, write docs/results/benchmarks.md
 	bench/run_benchmarks.sh
 
 .PHONY: robustness
-robustness: build-release ## Run synthetic worlds and thinned sequences, write docs/robustness.md
+robustness: build-release ## Run synthetic worlds and thinned sequences, write docs/results/robustness.md
 	bench/run_robustness.sh
 
 .PHONY: pictures
-pictures: program $(ROOM)/groundtruth.txt ## Draw the pictures of docs/rendering.md and README.md
+pictures: program $(ROOM)/groundtruth.txt ## Draw the pictures of docs/guide/pictures.md and README.md
 	bench/draw_pictures.sh $(PROGRAM) $(ROOM)
 
 # Uses fr1/rpy below CVO_SLAM_DATA, or DATASET, and writes into OUT, by default results/paper.

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The cvo_slam authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Draws the pictures of docs/rendering.md and of the README: `make pictures`. Takes the sequence of
-# `make demo`. The page of the README is drawn where there is a Chromium.
+# Draws the pictures of docs/guide/pictures.md, of docs/guide/first-run.md and of the README: `make
+# pictures`. It uses the sequence of `make demo`. The picture of the report needs Chromium.
 set -eu
 
 program=${1:-build/release/cvo_slam}
@@ -26,7 +26,7 @@ draw turntable --view turntable --azimuth 140
 draw follow --view follow --at 0.15
 draw error --view turntable --azimuth 70 --reference "$room/groundtruth.txt" --color error
 
-# What `make demo` leaves, small enough for a README.
+# The files of `make demo`, small enough for a README.
 demo=$(pwd)/build/pictures_demo
 out=docs/images/demo
 mkdir -p "$out"

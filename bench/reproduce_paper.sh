@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Draws the CVO paper's three figures from a recorded sequence: `make reproduce-paper`. What they
-# show is in docs/reproduce.md.
+# show is in docs/guide/paper-figures.md.
 set -eu
 
 program=${1:-build/release/cvo_slam}

@@ -5,9 +5,9 @@
 # run_robustness.sh [output file]
 #
 # Tracks synthetic worlds under all conditions and thinned real sequences, and writes
-# docs/robustness.md (`make robustness`). An hour on two cores, most of it to record worlds and to
-# wait for the baselines; what was measured is kept in build/robustness, so that a second call goes
-# on where the first was stopped. Remove that folder to measure again.
+# docs/results/robustness.md (`make robustness`). An hour on two cores, most of it to record worlds and
+# to wait for the baselines; what was measured of a revision is kept in build/robustness/<revision>, so
+# that a second call goes on where the first was stopped. Remove that folder to measure again.
 #
 #   CVO_SLAM_DATA   folder of the recorded sequences (default: ../shared/data beside the checkout)
 #   PROGRAM         (default build/release/cvo_slam)
@@ -18,28 +18,30 @@
 set -eu
 
 cd "$(dirname "$0")/.."
+. bench/results_page.sh
 program=${PROGRAM:-build/release/cvo_slam}
-page=${1:-docs/robustness.md}
+page=${1:-docs/results/robustness.md}
 data=${CVO_SLAM_DATA:-../shared/data}
 seeds=${SEEDS-101 102 103 104 105}
 room_seeds=${ROOM_SEEDS-$seeds}
 frames=${FRAMES:-60}
 systems=${SYSTEMS:-ours,paper,rgbd,rgbd_icp,icp}
-folder=build/robustness
-# Of this process, so that several can share the work, by seeds.
+folder=build/robustness/$(git describe --always)
+# The names contain the process, so that several processes can share the work, by seeds.
 sequence=$folder/sequence_$$
 draft=$folder/robustness_$$.md
 figures=docs/images/robustness
-# A Kinect without motion blur, which would take most of the time.
+# The sensor is a Kinect without motion blur, which would take most of the time.
 kinect='--noise kinect --set sensor.exposure.time=0'
 rooms='room office house'
 kinds='structure_texture_near structure_texture_far structure_notexture_near
   structure_notexture_far nostructure_texture_near nostructure_texture_far
   nostructure_notexture_near nostructure_notexture_far'
 
+require_program "$program" 'make build'
 mkdir -p "$folder" "$figures"
 
-# record <world> <seed> <options of synth>: the sequence that is tracked next.
+# record <world> <seed> <options of synth> makes the sequence that is tracked next.
 record() {
   echo "run_robustness.sh: $*" >&2
   rm -rf "$sequence"
@@ -50,7 +52,7 @@ record() {
 
 is_measured() { [ -f "$folder/$1.rows" ]; }
 
-# track <name> <sequence> <systems> <frames> [options]: the rows of a table of `bench odometry` in
+# track <name> <sequence> <systems> <frames> [options] writes the rows of a table of `bench odometry` to
 # <folder>/<name>.rows.
 track() {
   # shellcheck disable=SC2086  # several arguments
@@ -59,8 +61,8 @@ track() {
   mv "$folder/$1.part" "$folder/$1.rows"
 }
 
-# The middle one of the rows' numbers in a column, and for how many runs success was declared.
-# summary <name> <system> <mm> <deg> reads <name>_*.rows.
+# summary <name> <system> <mm> <deg> reads <name>_*.rows and prints the medians of a system's figures, and
+# in how many runs no frame was lost and the RPE was within the two limits.
 summary() {
   cat "$folder/$1"_[0-9]*.rows | awk -F '|' -v wanted="$2" -v mm="$3" -v deg="$4" '
     function median(list, n,   i, j, held) {
@@ -83,8 +85,8 @@ summary() {
     }'
 }
 
-# better <shown name> <name> <systems> reads <name>_*.rows: a row for each system whose median RPE is
-# lower than ours, or that loses fewer frames.
+# better <shown name> <name> <systems> reads <name>_*.rows and prints a row for each system whose median
+# RPE is lower than ours, or that loses fewer frames.
 better() {
   ours=$(summary "$2" ours 0 0)
   for system in $(echo "$3" | tr ',' ' '); do
@@ -101,7 +103,7 @@ each_system() { echo "$systems" | tr ',' ' '; }
 
 # --- Measure -------------------------------------------------------------------------------------
 
-# A room and its thinned versions, from one recording.
+# measure_room <world> <seed> tracks a room and its thinned versions, from one recording.
 measure_room() {
   ! is_measured "every_3rd_$1_$2" || return 0
   record "$1" "$2" "$kinect"
@@ -110,7 +112,7 @@ measure_room() {
   track "every_3rd_$1_$2" "$sequence" ours,rgbd ::3
 }
 
-# Of the first seed with its figure.
+# measure_kind <world> <seed> tracks one of the eight kinds, and draws the figure of the first seed.
 measure_kind() {
   figure=
   [ "$2" != "${seeds%% *}" ] || [ -f "$figures/$1.svg" ] || figure="--plot $folder/figure"
@@ -156,19 +158,18 @@ done
 
 # --- Write ---------------------------------------------------------------------------------------
 
-cat > "$draft" << END
-# Robustness
-
-Written by \`make robustness\` (\`bench/run_robustness.sh\`); do not edit. Errors are RMSE as in
-[benchmarks.md](benchmarks.md). Where several seeds were run, the numbers are their medians, \`lost\`
-is the sum of the frames lost.
+# shellcheck disable=SC2016  # Markdown's quotes
+begin_page Robustness 'make robustness' 'Errors are RMSE as in [benchmarks](benchmarks.md). Where several
+seeds were run, the numbers are their medians, and `lost` is the sum of the lost frames.' > "$draft"
+cat >> "$draft" << END
 
 ## Structure and texture
 
-Synthetic only: the first $frames frames of each world ([worlds.md](worlds.md)), seeds
-$seeds ($room_seeds of room, office and house), recorded with \`$kinect\` ([sensor.md](sensor.md)). A run is
-good where no frame is lost and the RPE over 1 s is at most 100 mm and 3 deg. ours =
-the default; paper = \`--preset paper\`; the others are OpenCV's.
+The first $frames frames of each [synthetic world](../reference/synthetic-worlds.md), seeds $seeds
+($room_seeds of room, office and house), recorded with \`$kinect\`
+([sensor](../reference/synthetic-sensor.md)). A run is good if no frame is lost and the RPE over 1 s is at
+most 100 mm and 3 deg. \`ours\` is the default tracker, \`paper\` is \`--preset paper\`, the others are
+OpenCV's.
 
 | world | system | RPE 1 s [mm] | RPE 1 s [deg] | ATE [mm] | lost | good |
 | --- | --- | ---: | ---: | ---: | ---: | ---: |
@@ -181,20 +182,20 @@ done
 
 cat >> "$draft" << END
 
-Figure (c) of the paper for each of the eight kinds, seed ${seeds%% *}: the distributions of the errors from
-frame to frame, and the trajectories from above.
+For each of the eight kinds, seed ${seeds%% *}: the distributions of the errors from frame to frame, and the
+trajectories from above (figure (c) of the CVO paper).
 
 END
 for world in $kinds; do
-  printf '**%s**\n\n![%s](images/robustness/%s.svg)\n\n' "$world" "$world" "$world" >> "$draft"
+  printf '**%s**\n\n![%s](../images/robustness/%s.svg)\n\n' "$world" "$world" "$world" >> "$draft"
 done
 
 cat >> "$draft" << END
 ## Where another system is better
 
 Each case of this page in which another system has a lower median RPE over 1 s than ours, or loses
-fewer frames. Without texture and structure nothing determines the pose: there ours says that it is
-lost, while the systems that need no texture answer with a pose that is wrong.
+fewer frames. Without texture and structure nothing determines the pose: ours reports that it is lost, and
+the systems that need no texture report a wrong pose.
 
 | world or condition | system | RPE 1 s [mm] | lost | ours [mm] | ours lost |
 | --- | --- | ---: | ---: | ---: | ---: |
@@ -212,13 +213,13 @@ cat >> "$draft" << END
 
 ## Conditions
 
-The same for $(echo "$rooms" | sed 's/ /, /g') under one condition each, ours against RgbdOdometry. A run is good where no
-frame is lost and the RPE over 1 s is at most 30 mm and 1.5 deg.
+$(echo "$rooms" | sed 's/ /, /g') under one condition each, ours and RgbdOdometry. A run is good if no frame is lost and the RPE over 1 s is at most 30 mm and 1.5 deg.
 
 - \`plain\`: as above.
-- \`every_2nd\`, \`every_3rd\`: of the frames; the motion from one to the next is so many times larger.
-- \`blur\`: exposed for 0.02 s. \`exposure\`: jumps of 25 % about every 0.7 s.
-- \`missing\`: 30 % of the depth pixels, in patches. \`objects\`: three boxes that swing through the view.
+- \`every_2nd\`, \`every_3rd\`: every second or third frame; the motion between frames is two or three times as
+  large.
+- \`blur\`: an exposure of 0.02 s. \`exposure\`: jumps of the exposure of 25 % about every 0.7 s.
+- \`missing\`: 30 % of the depth pixels are missing, in patches. \`objects\`: three boxes that swing through the view.
 
 | condition | world | system | RPE 1 s [mm] | RPE 1 s [deg] | ATE [mm] | lost | good |
 | --- | --- | --- | ---: | ---: | ---: | ---: | ---: |

@@ -101,7 +101,8 @@ std::string path_text(const PathPlan& plan) {
 
 std::string world_text(const World& world) {
   std::string text = fmt::format(
-      "# A world of cvo_slam synth; the format is described in docs/worlds.md. Lengths in metres,\n"
+      "# A world of cvo_slam synth; the format is described in docs/reference/synthetic-worlds.md. "
+      "Lengths in metres,\n"
       "# angles in radians, time in seconds; z is up.\nambient: {}\n",
       world.scene.ambient);
   text +=

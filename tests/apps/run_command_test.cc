@@ -96,7 +96,8 @@ TEST_F(RunCommand, TheMapIsOfTheKeyframesAndCanBeLeftOut) {
   // Every third pixel of a 160x120 image in each direction is a sample, and a point has two or
   // more.
   EXPECT_GT(map.points.size(), 200U);
-  // The room is 5 m long (docs/worlds.md), and the map is in the first camera's frame.
+  // The room is 5 m long (docs/reference/synthetic-worlds.md), and the map is in the first camera's
+  // frame.
   for (const MapPoint& point : map.points) EXPECT_LT(point.position.norm(), 6);
   EXPECT_EQ(cv::imread(folder_.path() / "out" / "map.png").size(), cv::Size(1280, 720));
 
