@@ -18,8 +18,6 @@ struct NamedFigure {
   Figure figure;
 };
 
-/// Writes <stem>.png and <stem>.svg. Throws OutputError.
-void write_figure(const std::filesystem::path& stem, const Figure& figure);
 
 /// Returns the part of the reference within the time span of the estimate, or all of it if that
 /// part is empty. `offset` [s] is the time to add to the stamps of the estimate.

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 #include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/core/association.h"
-#include "cvo_slam/core/trajectory_errors.h"
 
 namespace cvo_slam {
 

@@ -16,7 +16,7 @@
 #include "cvo_slam/apps/graph_report.h"
 #include "cvo_slam/apps/odometry_benchmark.h"
 #include "cvo_slam/apps/run_report.h"
-#include "cvo_slam/core/units.h"
+#include "cvo_slam/core/se3.h"
 
 namespace cvo_slam {
 namespace {

@@ -12,7 +12,7 @@
 #include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/options_file.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/plot/trajectory_plot.h"
 
 namespace cvo_slam {

@@ -14,7 +14,7 @@
 #include "cvo_slam/apps/argument_text.h"
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/tracking_arguments.h"
-#include "cvo_slam/core/point_fusion.h"
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/frontend/tracker.h"

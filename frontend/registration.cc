@@ -120,7 +120,7 @@ OptionSet describe(RegistrationOptions& o) {
           "as its noise is correlated and both clouds have it.")
       .add("information_scale", o.information_scale, {1e-6, 1e6}, "",
            "Factor of the information matrix, calibrated with depth_noise on synthetic rooms with "
-           "a Kinect's noise; see docs/tracking.md.");
+           "a Kinect's noise; see docs/theory/tracking.md.");
 }
 
 void check_consistency(const RegistrationOptions& options) {

@@ -7,7 +7,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "cvo_slam/core/stamp_gaps.h"
+#include "cvo_slam/core/association.h"
 #include "cvo_slam/render/extent_internal.h"
 #include "cvo_slam/render/line_art_internal.h"
 

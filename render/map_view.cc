@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/units.h"
+#include "cvo_slam/core/se3.h"
 #include "cvo_slam/render/extent_internal.h"
 
 namespace cvo_slam::render {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What distinguishes a recorded camera from an ideal one. By default all effects are off, as in the
-// preset "none". docs/sensor.md has the formulas and their sources.
+// preset "none". docs/reference/synthetic-sensor.md has the formulas and their sources.
 #pragma once
 
 #include <numbers>

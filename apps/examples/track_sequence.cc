@@ -3,7 +3,7 @@
 //
 // The README's example: track_sequence <dataset> writes trajectory.txt.
 #include "cvo_slam/io/dataset.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/slam/slam.h"
 
 int main(int /*argc*/, char** argv) {

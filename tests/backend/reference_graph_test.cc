@@ -11,7 +11,7 @@
 
 #include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/core/pose_graph_cost.h"
+#include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/io/g2o.h"
 
 namespace cvo_slam {

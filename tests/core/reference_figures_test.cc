@@ -11,10 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/absolute_trajectory_error.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/core/relative_pose_error.h"
-#include "cvo_slam/io/tum_trajectory.h"
+#include "cvo_slam/io/trajectory_files.h"
 
 namespace cvo_slam {
 namespace {

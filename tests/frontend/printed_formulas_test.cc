@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // These tests decide where the CVO paper (Ghaffari et al., RSS 2019) contradicts itself or the
-// derivation in docs/cvo.md. The tests of single coefficients are in gradient_flow_test.cc.
+// derivation in docs/theory/cvo.md. The tests of single coefficients are in gradient_flow_test.cc.
 #include <array>
 #include <cmath>
 #include <random>

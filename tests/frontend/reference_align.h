@@ -8,7 +8,7 @@
 
 namespace cvo_slam {
 
-/// The oracle: CVO written down as it reads in the paper (with its errata corrected, docs/cvo.md),
+/// The oracle: CVO written down as it reads in the paper (with its errata corrected, docs/theory/cvo.md),
 /// over all pairs, in double precision. The fast code is tested against it.
 
 /// F(T) = sum_ij c_ij k(x_i, T z_j), with k = 0 below the sparsification.

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "cvo_slam/core/units.h"
+#include "cvo_slam/core/se3.h"
 #include "cvo_slam/synthetic/image_sensors_internal.h"
 #include "cvo_slam/synthetic/random_internal.h"
 #include "cvo_slam/synthetic/sequence.h"

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/units.h"
+#include "cvo_slam/core/se3.h"
 #include "cvo_slam/synthetic/rendering.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"
