@@ -27,7 +27,7 @@ struct AlignArguments {
 };
 
 int align_frames(const AlignArguments& arguments) {
-  const TrackerOptions options = arguments.options.options().tracker;
+  const TrackerOptions options = arguments.options.options().slam.tracker;
   const FramePair pair = read_frame_pair(arguments.inputs, arguments.camera);
   // Made before the work, so that an unusable folder is reported at once.
   if (!arguments.plot.empty()) make_folder(arguments.plot);

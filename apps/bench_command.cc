@@ -32,7 +32,7 @@ struct BenchArguments {
 };
 
 TrackerOptions tracker_options(const TrackingArguments& arguments) {
-  const TrackerOptions options = arguments.options().tracker;
+  const TrackerOptions options = arguments.options().slam.tracker;
   if (options.threads != 1) {
     throw OptionError(
         fmt::format("tracker.threads={}: bench odometry compares single threads; leave out the "

@@ -24,7 +24,7 @@ class TrackerSystem final : public OdometrySystem {
   TrackerSystem(const Camera& camera, const TrackerOptions& options) : tracker_(camera, options) {}
 
   std::optional<SE3> track(const RgbdFrame& frame) override {
-    const FrameRecord record = tracker_.track(frame);
+    const FrameRecord record = tracker_.track(frame).record;
     if (record.status == TrackingStatus::kLost) return std::nullopt;
     return record.T_world_camera;
   }

@@ -124,11 +124,11 @@ int run(const RunArguments& arguments) {
     report.trajectory = std::move(slam.trajectory);
     report.graph = std::move(slam.graph);
   } else {
-    report.run = run_odometry(*data, range, options.tracker, control);
+    report.run = run_odometry(*data, range, options.slam.tracker, control);
     report.trajectory = to_trajectory(report.run.records);
   }
   report.map = make_run_map(report.run, report.graph, report.trajectory, data->camera(),
-                            options.map, options.tracker.threads);
+                            options.map, options.slam.tracker.threads);
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
   deliver(arguments, report, folder);
   if (report.run.interrupted) return kInterrupted;

@@ -114,14 +114,14 @@ std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajecto
 
 SlamRun run_slam(const Dataset& data, const FrameRange& range, const ProgramOptions& options,
                  const std::shared_ptr<const Vocabulary>& vocabulary, const RunControl& control) {
-  Slam slam(data.camera(), options.tracker, options.slam, vocabulary);
+  Slam slam(data.camera(), options.slam, vocabulary);
   SlamRun result;
   result.run = run_frames(
       data, range, [&](const RgbdFrame& frame) { return slam.track(frame); },
       [&] { slam.finish(); }, control);
   result.trajectory = slam.trajectory(TrajectoryView::kFinal);
   result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(),
-                  slam.graph_statistics()};
+                  slam.statistics()};
   return result;
 }
 

@@ -25,10 +25,7 @@ void pin_simd_path(const std::string& word) {
 }  // namespace
 
 OptionSet describe(ProgramOptions& o) {
-  return OptionSet()
-      .add("tracker", describe(o.tracker))
-      .add("slam", describe(o.slam))
-      .add("map", describe(o.map));
+  return OptionSet().add(describe(o.slam)).add("map", describe(o.map));
 }
 
 void OptionArguments::add_to(Command& command) {
@@ -62,11 +59,11 @@ std::unique_ptr<Dataset> TrackingArguments::open() const {
 ProgramOptions OptionArguments::options() const {
   pin_simd_path(simd);
   ProgramOptions result;
-  if (preset == "paper") result.tracker = paper_options();
+  if (preset == "paper") result.slam.tracker = paper_options();
   const OptionSet set = describe(result);
   if (!config.empty()) read_options(config, set);
   for (const auto& setting : settings) apply_setting(set, setting, "tracker.points=2000");
-  if (threads) result.tracker.threads = *threads;
+  if (threads) result.slam.tracker.threads = *threads;
   return result;
 }
 

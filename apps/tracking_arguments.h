@@ -22,7 +22,6 @@ namespace cvo_slam {
 
 /// The options of the program, as a configuration file holds them.
 struct ProgramOptions {
-  TrackerOptions tracker;
   SlamOptions slam;
   FusionOptions map;
 };

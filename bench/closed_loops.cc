@@ -151,7 +151,7 @@ void print_row(const std::string& sequence, bool verbose) {
   const auto data = open_dataset(sequence);
   SlamOptions options;
   options.loops.enabled = true;
-  Slam slam(data->camera(), {}, options);
+  Slam slam(data->camera(), options);
   for (std::size_t i = 0; i < data->size(); ++i) slam.track(data->read(i));
   slam.finish();
   const Row row = Judge(*data, slam, options, verbose).row();

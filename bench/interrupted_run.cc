@@ -62,7 +62,7 @@ struct Outcome {
 Outcome track(const Dataset& data, std::size_t frames, const Interruption& interruption) {
   SlamOptions options;
   options.loops.enabled = true;
-  Slam slam(data.camera(), {}, options);
+  Slam slam(data.camera(), options);
   for (std::size_t i = 0; i < frames; ++i) {
     RgbdFrame frame = data.read(i);
     if (!interruption.kind.empty() && interruption.holds(i)) spoil(frame, interruption.kind);

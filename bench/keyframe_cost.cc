@@ -16,7 +16,7 @@
 #include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/bench/synthetic_keyframes.h"
 #include "cvo_slam/frontend/registration.h"
-#include "cvo_slam/slam/keyframe_map_internal.h"
+#include "cvo_slam/slam/mapper_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -29,12 +29,11 @@ struct CostArguments {
 /// A map that keyframes are added to, and the clock beside it.
 class GrowingMap {
  public:
-  explicit GrowingMap(const SlamOptions& options)
-      : map_(SyntheticKeyframes::camera(), {}, 1, options) {}
+  explicit GrowingMap(const SlamOptions& options) : map_(SyntheticKeyframes::camera(), options) {}
 
   /// Adds the next keyframe. Returns the time of that [s], without the solver's.
   double add() {
-    const TrackedKeyframe keyframe = make_keyframe();
+    const KeyframeInput keyframe = make_keyframe();
     const double solver = solver_seconds();
     const auto start = std::chrono::steady_clock::now();
     map_.add(keyframe);
@@ -51,24 +50,24 @@ class GrowingMap {
   }
 
  private:
-  [[nodiscard]] TrackedKeyframe make_keyframe() const {
-    TrackedKeyframe keyframe;
-    const auto images = std::make_shared<const RgbdFrame>(SyntheticKeyframes::frame(size_));
-    keyframe.frame = size_;
-    keyframe.stamp = images->stamp;
+  [[nodiscard]] KeyframeInput make_keyframe() const {
+    KeyframeInput keyframe;
+    const RgbdFrame images = SyntheticKeyframes::frame(size_);
+    keyframe.number = size_;
+    keyframe.stamp = images.stamp;
     keyframe.T_world_camera = SyntheticKeyframes::T_world_camera(size_);
-    keyframe.cloud = SyntheticKeyframes::cloud(*images);
-    keyframe.image = images;
+    keyframe.cloud = SyntheticKeyframes::cloud(images);
+    keyframe.images = images;
     if (size_ == 0) return keyframe;
     constexpr double kInformation = 1e6;  // [1/m^2, 1/rad^2]; 1 mm and 1 mrad
     constexpr double kCosTheta = 0.5;
     const SE3 T_world_last = SyntheticKeyframes::T_world_camera(size_ - 1);
-    keyframe.link = {size_ - 1, T_world_last.inverse() * keyframe.T_world_camera,
+    keyframe.odometry = {size_ - 1, T_world_last.inverse() * keyframe.T_world_camera,
                      kInformation * Matrix6::Identity(), kCosTheta};
     return keyframe;
   }
 
-  KeyframeMap map_;
+  Mapper map_;
   std::size_t size_ = 0;
 };
 

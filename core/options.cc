@@ -203,6 +203,11 @@ OptionSet& OptionSet::add(const std::string& prefix, const OptionSet& nested) {
   return *this;
 }
 
+OptionSet& OptionSet::add(const OptionSet& other) {
+  for (const Option& option : other.options_) append(option);
+  return *this;
+}
+
 const Option& OptionSet::find(std::string_view key) const {
   const auto found = std::find_if(options_.begin(), options_.end(),
                                   [&](const Option& option) { return option.key == key; });

@@ -55,6 +55,8 @@ class OptionSet {
   OptionSet& add(const std::string& key, E& value, Choices<E> choices, const std::string& doc);
   /// Adds all options of a nested struct, their keys prefixed by "prefix.".
   OptionSet& add(const std::string& prefix, const OptionSet& nested);
+  /// All options of another set, with the keys they have.
+  OptionSet& add(const OptionSet& other);
   /// Marks all options that are added after this call as expert options, which are not needed for
   /// good results: their keys start with "expert.", before all prefixes.
   OptionSet& expert();

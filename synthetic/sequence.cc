@@ -18,7 +18,6 @@
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/trajectory_files.h"
-#include "cvo_slam/synthetic/output_folder_internal.h"
 #include "cvo_slam/synthetic/schedule_internal.h"
 #include "cvo_slam/synthetic/sensor.h"
 #include "cvo_slam/synthetic/world.h"

@@ -35,9 +35,9 @@ constexpr std::size_t kFrames = 12;
 const std::vector<std::string> kSlam = {"--mode", "slam",
                                         "--set",  "tracker.keyframe.max_translation=0.01",
                                         "--set",  "tracker.keyframe.max_rotation=0.01",
-                                        "--set",  "slam.loops.detection.candidates.min_gap=3",
-                                        "--set",  "slam.proximity.near=0",
-                                        "--set",  "slam.proximity.recent=0"};
+                                        "--set",  "loops.detection.candidates.min_gap=3",
+                                        "--set",  "proximity.near=0",
+                                        "--set",  "proximity.recent=0"};
 
 class ReportPage : public testing::Test {
  protected:
@@ -125,7 +125,7 @@ TEST_F(ReportPage, ShowsTheLoopsWithTheirImages) {
 TEST_F(ReportPage, TellsWhyCandidatesWereRejected) {
   std::vector<std::string> options = kSlam;
   options.insert(options.end(),
-                 {"--loop-pictures", "all", "--set", "slam.loops.pair.min_overlap=0.99"});
+                 {"--loop-pictures", "all", "--set", "loops.pair.min_overlap=0.99"});
   ASSERT_EQ(run(options), 0);
   EXPECT_THAT(page(), AllOf(HasSubstr("<h3>Rejected</h3>"), HasSubstr("Rejected: overlap 0."),
                             HasSubstr("<td>overlap … is below …</td>")));
@@ -135,7 +135,7 @@ TEST_F(ReportPage, IsTheSameAgainButForTimes) {
   for (const char* out : {"first", "again"}) ASSERT_EQ(run(kSlam, out), 0);
   EXPECT_EQ(without_section(page("again"), "cost"), without_section(page("first"), "cost"));
   std::vector<std::string> options = kSlam;
-  options.insert(options.end(), {"--threads", "2", "--set", "slam.schedule=pipelined"});
+  options.insert(options.end(), {"--threads", "2", "--set", "schedule=pipelined"});
   ASSERT_EQ(run(options, "threads"), 0);
   const auto results = [&](const char* out) {  // the number of threads is an option
     return without_section(without_section(page(out), "cost"), "options");

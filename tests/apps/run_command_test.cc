@@ -166,7 +166,7 @@ TEST_F(RunCommand, GraphModeWritesItsFilesToo) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), graph["candidates"].get<long>() + 1);
 
   std::vector<std::string> again = options;
-  again.insert(again.end(), {"--threads", "2", "--set", "slam.schedule=pipelined"});
+  again.insert(again.end(), {"--threads", "2", "--set", "schedule=pipelined"});
   ASSERT_EQ(run(again, "again").exit_code, 0);
   for (const char* name :
        {"trajectory.txt", "trajectory_online.txt", "keyframes.txt", "graph.g2o", "loops.csv"}) {
@@ -177,12 +177,12 @@ TEST_F(RunCommand, GraphModeWritesItsFilesToo) {
 TEST_F(RunCommand, SlamModeRecognisesPlaces) {
   const auto result = run({"--mode", "slam", "--set", "tracker.keyframe.max_translation=0.01",
                            "--set", "tracker.keyframe.max_rotation=0.01", "--set",
-                           "slam.loops.detection.candidates.min_gap=3"});
+                           "loops.detection.candidates.min_gap=3"});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(result.output, HasSubstr("loop edges"));
   const auto report = nlohmann::json::parse(file("report.json"));
   EXPECT_EQ(report["mode"], "slam");
-  EXPECT_EQ(report["options"]["slam.loops.enabled"], true);
+  EXPECT_EQ(report["options"]["loops.enabled"], true);
   EXPECT_GT(report["graph"]["bow_candidates"], 0);
   EXPECT_TRUE(report["graph"]["loop_edges"].is_number_integer());
   EXPECT_THAT(file("loops.csv"), AllOf(HasSubstr("kind,from,to,score,normalized_score,inliers,"),

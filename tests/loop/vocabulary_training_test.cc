@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/bit_counter_internal.h"
 #include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/loop/k_majority_internal.h"
 #include "cvo_slam/loop/vocabulary.h"
