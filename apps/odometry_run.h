@@ -25,7 +25,7 @@ struct FrameCost {
 /// How a run goes, whatever its tracker.
 struct RunControl {
   bool quiet = false;  ///< no progress
-  /// Every which pixel of a keyframe is kept for a map (core/point_fusion.h); 0 = none.
+  /// Every which pixel of a keyframe is kept for a map (core/map.h); 0 = none.
   int kept_pixel_step = 0;
 };
 
