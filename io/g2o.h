@@ -17,8 +17,8 @@ namespace cvo_slam {
 ///   FIX id...
 ///
 /// in any order; '#' starts a comment. Matrices are taken as they stand, neither permuted nor
-/// scaled: it is between_residual() in core/pose_graph.h that says what they are the information of.
-/// The format does not know kinds of edges: from a vertex to the one with the next larger id is
+/// scaled: it is between_residual() in core/pose_graph.h that says what they are the information
+/// of. The format does not know kinds of edges: from a vertex to the one with the next larger id is
 /// taken for odometry, and any other edge for a loop, which may be wrong (robust).
 ///
 /// Throws InputError, with the number of the line, for an unknown entry (and says so of planar
