@@ -18,9 +18,15 @@ set(CVO_SLAM_COSTLY_HEADERS
     <string>
     <vector>)
 
-# Lets a target of position-independent code use the precompiled headers of the rooms.
+# Lets a target use the precompiled headers of the rooms. GCC reads them only into code that is
+# position-independent in the same way: that of a library (-fPIC), also in a program.
 function(cvo_slam_reuse_precompiled_headers TARGET)
-  set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  get_target_property(TYPE ${TARGET} TYPE)
+  if(NOT TYPE STREQUAL EXECUTABLE)
+    set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  elseif(CVO_SLAM_PRECOMPILE_HEADERS)
+    target_compile_options(${TARGET} PRIVATE -fPIC)
+  endif()
   if(CVO_SLAM_PRECOMPILE_HEADERS)
     target_precompile_headers(${TARGET} REUSE_FROM cvo_slam_core)
   endif()
