@@ -19,9 +19,9 @@
 namespace cvo_slam {
 
 /// Keyframes of a camera that mows a wall like a lawn: along a row, down to the next one, and back.
-/// Any number of them can be made, each is made alone, and each sees some of the same as the ten
-/// before and the ten after it and nothing of all others, so that what a keyframe costs cannot grow
-/// because more of them overlap.
+/// Any number of them can be made, each is made alone, and each sees some of the same as a dozen
+/// before it and a dozen after it and nothing of all others, so that what a keyframe costs cannot
+/// grow because more of them overlap.
 ///
 /// The wall is 2 m away and covered with random squares, so that no place looks like another one:
 /// images, depths, point clouds and poses agree with one another to within a depth unit.
@@ -67,18 +67,18 @@ class SyntheticKeyframes {
 
   /// Points that the tracker would select in an image, a few hundred.
   static std::shared_ptr<const PointCloud> cloud(const RgbdFrame& frame) {
-    constexpr int kPoints = 300;
+    constexpr int kPoints = 500;
     return std::make_shared<const PointCloud>(select_points(frame, camera(), kPoints));
   }
 
  private:
-  static constexpr double kStep = 0.25;       // from a keyframe to the next [m]
+  static constexpr double kStep = 0.2;        // from a keyframe to the next [m]
   static constexpr std::size_t kAlong = 100;  // steps along a row
-  static constexpr std::size_t kRow = 112;    // with the 3 m down to the next row; an image has 1.8
+  static constexpr std::size_t kRow = 115;    // with the 3 m down to the next row; an image has 1.8
   static constexpr double kDistance = 2;      // of the wall [m]
 
   static cv::Vec3b color_at(double x, double y) {
-    constexpr double kSquare = 0.04;  // [m]; four pixels
+    constexpr double kSquare = 0.1;  // [m]; ten pixels
     const auto column = static_cast<std::uint64_t>(std::llround(x / kSquare) + 1'000'000);
     const auto row = static_cast<std::uint64_t>(std::llround(y / kSquare) + 1'000'000);
     const std::uint64_t bits = mix(column * 4'000'000 + row);

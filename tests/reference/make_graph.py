@@ -13,7 +13,8 @@ the optima with the same digits up to rounding.
 """
 import numpy as np
 
-from rigid_motions import COMMENT, HERE, conjugate, expm, pose_text, quaternion_product, turned, twist
+from rigid_motions import (COMMENT, HERE, conjugate, expm, pose_text, quaternion_product, turned,
+                           twist)
 
 
 C = 4.1  # where the robust losses begin [standard deviations]
