@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "cvo_slam/core/se3.h"
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/plot/comparison_plot.h"
 

@@ -18,7 +18,6 @@ struct NamedFigure {
   Figure figure;
 };
 
-
 /// Returns the part of the reference within the time span of the estimate, or all of it if that
 /// part is empty. `offset` [s] is the time to add to the stamps of the estimate.
 [[nodiscard]] std::vector<StampedPose> reference_during(const std::vector<StampedPose>& reference,

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include "cvo_slam/core/trajectory_errors.h"
+
 #include "cvo_slam/core/association.h"
+#include "cvo_slam/core/trajectory_errors.h"
 
 namespace cvo_slam {
 

@@ -128,7 +128,8 @@ int run_info(const InfoArguments& arguments) {
 void add_info_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<InfoArguments>();
   Command command(app, "info", "Describe a data set");
-  command.add("dataset", &arguments->dataset, "Folder of a sequence: " + dataset_formats()).required();
+  command.add("dataset", &arguments->dataset, "Folder of a sequence: " + dataset_formats())
+      .required();
   command.add("--camera", &arguments->camera, "Camera file, or name of a built-in camera");
   command.add("--json", &arguments->json, "Print one JSON object instead of text");
   command.on_parsed(action, [arguments] { return run_info(*arguments); });

@@ -13,11 +13,11 @@
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/odometry_benchmark.h"
 #include "cvo_slam/apps/tracking_arguments.h"
-#include "cvo_slam/core/trajectory.h"
-#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/se3.h"
+#include "cvo_slam/core/trajectory.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
 

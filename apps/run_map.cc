@@ -40,8 +40,8 @@ std::vector<StampedPose> tracked_keyframes(const OdometryRun& run,
 
 /// Makes a scene of the map, the path and the reference.
 render::MapScene make_run_scene(const Map& map, const Trajectory& trajectory,
-                             const std::vector<StampedPose>& reference,
-                             std::vector<std::string>& notes) {
+                                const std::vector<StampedPose>& reference,
+                                std::vector<std::string>& notes) {
   render::MapScene scene = render::make_scene(map);
   render::add_path_by_time(scene, "trajectory", trajectory.poses);
   if (reference.empty() || trajectory.poses.empty()) return scene;

@@ -120,8 +120,7 @@ SlamRun run_slam(const Dataset& data, const FrameRange& range, const ProgramOpti
       data, range, [&](const RgbdFrame& frame) { return slam.track(frame); },
       [&] { slam.finish(); }, control);
   result.trajectory = slam.trajectory(TrajectoryView::kFinal);
-  result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(),
-                  slam.statistics()};
+  result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(), slam.statistics()};
   return result;
 }
 

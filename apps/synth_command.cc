@@ -117,7 +117,8 @@ void add_synth_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<SynthArguments>();
   Command command(app, "synth", "Make a synthetic sequence (TUM layout) with exact ground truth");
   command.add("scene", &arguments->sequence.scene,
-              fmt::format("The world to record: a file (*.yaml, see docs/reference/synthetic-worlds.md) or one of {}",
+              fmt::format("The world to record: a file (*.yaml, see "
+                          "docs/reference/synthetic-worlds.md) or one of {}",
                           fmt::join(synthetic::world_names(), ", ")));
   command.add("folder", &arguments->folder, "Folder for the sequence");
   command.add("--dump-world", &arguments->dump, "Write the world to this file, and record nothing");

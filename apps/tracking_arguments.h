@@ -10,9 +10,10 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include "cvo_slam/core/map.h"
+
 #include "cvo_slam/apps/argument_text.h"
 #include "cvo_slam/apps/command_line.h"
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/core/options.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"

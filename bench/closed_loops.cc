@@ -16,11 +16,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/bench/visible_overlap.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/trajectory_errors.h"
-#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam.h"
 

@@ -18,8 +18,8 @@
 #include "cvo_slam/backend/optimizer.h"
 #include "cvo_slam/bench/graph_samples.h"
 #include "cvo_slam/bench/report_errors.h"
-#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/core/association.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/io/trajectory_files.h"
 

@@ -13,10 +13,10 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/trajectory_errors.h"
-#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/slam/slam.h"
 

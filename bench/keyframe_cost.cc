@@ -63,7 +63,7 @@ class GrowingMap {
     constexpr double kCosTheta = 0.5;
     const SE3 T_world_last = SyntheticKeyframes::T_world_camera(size_ - 1);
     keyframe.odometry = {size_ - 1, T_world_last.inverse() * keyframe.T_world_camera,
-                     kInformation * Matrix6::Identity(), kCosTheta};
+                         kInformation * Matrix6::Identity(), kCosTheta};
     return keyframe;
   }
 

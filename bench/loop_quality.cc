@@ -19,12 +19,12 @@
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/apps/loop_pictures.h"
 #include "cvo_slam/apps/argument_text.h"
+#include "cvo_slam/apps/loop_pictures.h"
+#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/bench/visible_overlap.h"
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/frontend/registration.h"

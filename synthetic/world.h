@@ -53,10 +53,10 @@ struct WorldOptions {
 [[nodiscard]] World make_world(const std::string& name, const WorldOptions& options = {});
 [[nodiscard]] std::vector<std::string> world_names();
 
-/// Reads a world file; docs/reference/synthetic-worlds.md describes the format. Textures and tremor without a seed of
-/// their own get one from `seed`. Throws InputError with file and line for an unknown key or word
-/// (the message suggests the nearest one), a bad number, an impossible size, too few viewpoints,
-/// and if the camera would come nearer than 5 cm to a surface (with the time).
+/// Reads a world file; docs/reference/synthetic-worlds.md describes the format. Textures and tremor
+/// without a seed of their own get one from `seed`. Throws InputError with file and line for an
+/// unknown key or word (the message suggests the nearest one), a bad number, an impossible size,
+/// too few viewpoints, and if the camera would come nearer than 5 cm to a surface (with the time).
 [[nodiscard]] World read_world(const std::filesystem::path& file, std::uint32_t seed = 1);
 /// Reads a world from a text. `file` is named in error messages.
 [[nodiscard]] World parse_world(const std::string& text, const std::filesystem::path& file,

@@ -11,8 +11,8 @@
 #include "cvo_slam/apps/page/html.h"
 #include "cvo_slam/apps/page/run_sections.h"
 #include "cvo_slam/core/options.h"
-#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/core/se3.h"
+#include "cvo_slam/core/trajectory_errors.h"
 
 namespace cvo_slam {
 namespace {

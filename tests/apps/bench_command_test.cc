@@ -12,9 +12,9 @@
 
 #include "cvo_slam/apps/benchmark_report.h"
 #include "cvo_slam/apps/odometry_benchmark.h"
+#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/synthetic/sequence.h"
-#include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/tests/apps/room_sequence.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/io/tiny_sequence.h"

@@ -124,8 +124,7 @@ TEST_F(ReportPage, ShowsTheLoopsWithTheirImages) {
 
 TEST_F(ReportPage, TellsWhyCandidatesWereRejected) {
   std::vector<std::string> options = kSlam;
-  options.insert(options.end(),
-                 {"--loop-pictures", "all", "--set", "loops.pair.min_overlap=0.99"});
+  options.insert(options.end(), {"--loop-pictures", "all", "--set", "loops.pair.min_overlap=0.99"});
   ASSERT_EQ(run(options), 0);
   EXPECT_THAT(page(), AllOf(HasSubstr("<h3>Rejected</h3>"), HasSubstr("Rejected: overlap 0."),
                             HasSubstr("<td>overlap … is below …</td>")));

@@ -175,9 +175,9 @@ TEST_F(RunCommand, GraphModeWritesItsFilesToo) {
 }
 
 TEST_F(RunCommand, SlamModeRecognisesPlaces) {
-  const auto result = run({"--mode", "slam", "--set", "tracker.keyframe.max_translation=0.01",
-                           "--set", "tracker.keyframe.max_rotation=0.01", "--set",
-                           "loops.detection.candidates.min_gap=3"});
+  const auto result =
+      run({"--mode", "slam", "--set", "tracker.keyframe.max_translation=0.01", "--set",
+           "tracker.keyframe.max_rotation=0.01", "--set", "loops.detection.candidates.min_gap=3"});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(result.output, HasSubstr("loop edges"));
   const auto report = nlohmann::json::parse(file("report.json"));

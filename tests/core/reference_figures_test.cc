@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/trajectory_files.h"
 
 namespace cvo_slam {

@@ -8,8 +8,8 @@
 
 namespace cvo_slam {
 
-/// The oracle: CVO written down as it reads in the paper (with its errata corrected, docs/theory/cvo.md),
-/// over all pairs, in double precision. The fast code is tested against it.
+/// The oracle: CVO written down as it reads in the paper (with its errata corrected,
+/// docs/theory/cvo.md), over all pairs, in double precision. The fast code is tested against it.
 
 /// F(T) = sum_ij c_ij k(x_i, T z_j), with k = 0 below the sparsification.
 double reference_objective(const PointCloud& fixed, const PointCloud& moving,
