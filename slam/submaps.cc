@@ -77,7 +77,7 @@ int Submaps::name_of(int tracked_submap) const {
 }
 
 void Submaps::join(int a, int b) {
-  const auto [first, second] = std::minmax(name_of(a), name_of(b));
+  const auto [first, second] = std::minmax({name_of(a), name_of(b)});
   if (first == second) return;
   for (auto& [submap, name] : names_) {
     if (name == second) name = first;
