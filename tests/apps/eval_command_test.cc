@@ -130,7 +130,7 @@ TEST_F(EvalCommand, BadInput) {
   expect_error(run_program({"eval", reference_, later}), 2, "later.txt: no pose of the estimate");
   const auto single = folder_.write("single.txt", "1 0 0 0 0 0 0 1\n");
   expect_error(run_program({"eval", reference_, single}), 2, "alignment needs at least 3");
-  expect_error(run_program({"eval", folder_.path(), estimate_}), 2, "cannot be opened");
+  expect_error(run_program({"eval", folder_.path(), estimate_}), 2, "is a folder");
 }
 
 TEST(EvalCommandOnData, GivesTheFiguresOfEvo) {

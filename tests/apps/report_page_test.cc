@@ -80,7 +80,8 @@ TEST_F(ReportPage, ShowsFiguresPlotsMapOptionsAndFiles) {
        {"<h1>room</h1>", "TUM RGB-D · mode odometry · frames 0 to 11", "12 of 12 frames",
         "<dt>ATE</dt>", "<td>RPE 1 frame</td>", "alt=\"The map with the camera&#39;s path\"",
         "Top</text>", "ATE translation, RMSE", "Overlap with the keyframe", "No frame was lost.",
-        "<h2>Time and memory</h2>", "1 option is not the default:",
+        "<h2>Time and memory</h2>", "2 options are not the default:",
+        "<td class=\"code\">loops.enabled</td><td class=\"code\">false</td>",
         "<td class=\"code\">tracker.points</td><td class=\"code\">900</td>", "href=\"frames.csv\"",
         "href=\"map.ply\"", "no RPE 1 s"}) {
     EXPECT_THAT(html, HasSubstr(part));
