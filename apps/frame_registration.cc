@@ -52,8 +52,7 @@ std::string motion_text(const SE3& T) {
 }  // namespace
 
 Vector6 standard_deviations(const RegistrationResult& result) {
-  const Eigen::Matrix<double, 6, 6> covariance = result.information.inverse();
-  return covariance.diagonal().cwiseSqrt();
+  return result.covariance.diagonal().cwiseSqrt();
 }
 
 FrameRegistration register_frames(const FramePair& pair, const TrackerOptions& options) {

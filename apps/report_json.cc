@@ -134,7 +134,7 @@ Json json_of(const FramePair& pair, const FrameRegistration& registration) {
   json["T_a_b"] = pose_json(result.T_fixed_moving);
   json["standard_deviation"] = {{"translation_m", array(deviations.head<3>())},
                                 {"rotation_rad", array(deviations.tail<3>())}};
-  json["information"] = information_json(result.information);
+  json["information"] = information_json(inverse_of_spd(result.covariance));
   json["error"] = nullptr;
   if (pair.T_a_b_truth) {
     const SE3 error = pair.T_a_b_truth->inverse() * result.T_fixed_moving;

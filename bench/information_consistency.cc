@@ -44,7 +44,7 @@ std::vector<double> nees_of(const Dataset& data) {
     if (!T_world_camera || !T_world_keyframe) continue;
     const SE3 truth = T_world_keyframe->inverse() * *T_world_camera;
     const Vector6 error = (truth.inverse() * record.registration.T_fixed_moving).log();
-    values.push_back(error.dot(record.registration.information * error));
+    values.push_back(error.dot(inverse_of_spd(record.registration.covariance) * error));
   }
   return values;
 }

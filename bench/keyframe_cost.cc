@@ -3,7 +3,7 @@
 //
 // What adding a keyframe to a map costs while the map grows: a row for each size. Nothing but the
 // solver and the search for common words in the index of keyframes may grow with the map.
-//   keyframe_cost [--sizes 100,1000,10000] [--odometry-only]
+//   keyframe_cost [--sizes 100,1000,10000] [--odometry-only | --no-loops]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -24,6 +24,7 @@ namespace {
 struct CostArguments {
   std::vector<std::size_t> sizes = {100, 1000, 10000};
   bool odometry_only = false;
+  bool no_loops = false;
 };
 
 /// A map that keyframes are added to, and the clock beside it.
@@ -59,11 +60,11 @@ class GrowingMap {
     keyframe.cloud = SyntheticKeyframes::cloud(images);
     keyframe.images = images;
     if (size_ == 0) return keyframe;
-    constexpr double kInformation = 1e6;  // [1/m^2, 1/rad^2]; 1 mm and 1 mrad
+    constexpr double kVariance = 1e-6;  // [m^2, rad^2]: 1 mm and 1 mrad
     constexpr double kCosTheta = 0.5;
     const SE3 T_world_last = SyntheticKeyframes::T_world_camera(size_ - 1);
     keyframe.odometry = {size_ - 1, T_world_last.inverse() * keyframe.T_world_camera,
-                         kInformation * Matrix6::Identity(), kCosTheta};
+                         kVariance * Matrix6::Identity(), kCosTheta};
     return keyframe;
   }
 
@@ -92,7 +93,7 @@ void print_row(GrowingMap& map, std::size_t size) {
 
 void run(const CostArguments& arguments) {
   SlamOptions options;
-  options.loops.enabled = !arguments.odometry_only;
+  options.loops.enabled = !arguments.odometry_only && !arguments.no_loops;
   if (arguments.odometry_only) options.proximity.recent = options.proximity.near = 0;
   fmt::print(
       "| keyframes | adding one without the solver, mean [ms] | median [ms] | largest [ms] | "
@@ -111,6 +112,8 @@ int main(int argc, char** argv) {
       ->delimiter(',');
   app.add_flag("--odometry-only", arguments.odometry_only,
                "Neither registers a keyframe to earlier ones nor recognises places");
+  app.add_flag("--no-loops", arguments.no_loops,
+               "Does not recognise keyframes by their images: no features, no word query");
   CLI11_PARSE(app, argc, argv);
   return cvo_slam::report_errors([&] { cvo_slam::run(arguments); });
 }

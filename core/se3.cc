@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -51,6 +52,11 @@ Matrix3 so3_left_jacobian_inverse(const Vector3& w) {
 }
 
 }  // namespace
+
+Matrix6 inverse_of_spd(const Matrix6& matrix) {
+  const AlignedMatrix6 inverse = AlignedMatrix6(matrix).llt().solve(AlignedMatrix6::Identity());
+  return 0.5 * (inverse + inverse.transpose());
+}
 
 Matrix3 skew(const Vector3& w) {
   Matrix3 W;

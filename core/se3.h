@@ -16,6 +16,10 @@ using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 /// The same matrix with Eigen's alignment, for computations; not for members of public structs.
 using AlignedMatrix6 = Eigen::Matrix<double, 6, 6>;
 
+/// Returns the inverse of a symmetric positive definite matrix, symmetric too: the information of a
+/// covariance, and the reverse.
+[[nodiscard]] Matrix6 inverse_of_spd(const Matrix6& matrix);
+
 /// One radian in degrees [deg/rad], for output to people: all angles inside are in radians.
 inline constexpr double kDegrees = 180 / std::numbers::pi;
 

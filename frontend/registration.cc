@@ -78,13 +78,6 @@ bool is_undetermined(const ObjectiveValue& value) {
   return !(eigenvalues.minCoeff() > kMinEigenvalueRatio * eigenvalues.maxCoeff());
 }
 
-/// Returns the information after an independent error of covariance `added` comes on top.
-Matrix6 with_added(const Matrix6& information, const Matrix6& added) {
-  const AlignedMatrix6 own = AlignedMatrix6(information).llt().solve(AlignedMatrix6::Identity());
-  const AlignedMatrix6 sum = AlignedMatrix6(own + added).llt().solve(AlignedMatrix6::Identity());
-  return 0.5 * (sum + sum.transpose());
-}
-
 RegistrationOptions checked(RegistrationOptions options) {
   describe(options).check();
   check_consistency(options);
@@ -114,12 +107,12 @@ OptionSet describe(RegistrationOptions& o) {
            "A Newton step that is shorter in translation and in rotation ends a length scale.")
       .add("coarse_tolerance", o.coarse_tolerance, {0, 10}, "",
            "The tolerance of a coarse length scale, as a share of the next length scale.")
-      .add(
-          "depth_noise", o.depth_noise, {0, 1}, "1/m",
-          "Standard deviation of a depth z over z^2, for the information matrix: twice a Kinect's, "
-          "as its noise is correlated and both clouds have it.")
+      .add("depth_noise", o.depth_noise, {0, 1}, "1/m",
+           "Standard deviation of a depth z over z^2, for the covariance: twice a Kinect's, "
+           "as its noise is correlated and both clouds have it.")
       .add("information_scale", o.information_scale, {1e-6, 1e6}, "",
-           "Factor of the information matrix, calibrated with depth_noise on synthetic rooms with "
+           "Factor of the information before the depth noise, calibrated with depth_noise on "
+           "synthetic rooms with "
            "a Kinect's noise; see docs/theory/tracking.md.");
 }
 
@@ -221,9 +214,11 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
   const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
   const double scale = options.information_scale *
                        mean_precision(moving, finest.length_scale(), options.depth_noise);
-  result.information = with_added(
-      right_information(curvature(state.value), result.T_fixed_moving) * (scale / mean_weight),
-      depth_covariance(moving, options.depth_noise));
+  // Errors of the depth along the rays are independent of what the objective knows.
+  result.covariance =
+      inverse_of_spd(right_information(curvature(state.value), result.T_fixed_moving) *
+                     (scale / mean_weight)) +
+      depth_covariance(moving, options.depth_noise);
   return result;
 }
 

@@ -69,8 +69,8 @@ struct RegistrationOptions {
   double coarser_share = 0.5;     ///< share of the points of the next finer scale
   double tolerance = 1e-4;        ///< a shorter Newton step ends a length scale [m] and [rad]
   double coarse_tolerance = 0.1;  ///< the same at coarse scales, as a share of the next scale
-  double depth_noise = 0.0065;    ///< of the information matrix: sigma_z = depth_noise z^2 [1/m]
-  double information_scale = 3;   ///< factor of the information matrix
+  double depth_noise = 0.0065;    ///< of the covariance: sigma_z = depth_noise z^2 [1/m]
+  double information_scale = 3;   ///< factor of the information before the depth noise
   FlowConstants flow;
 };
 
@@ -99,13 +99,13 @@ struct RegistrationResult {
   double overlap = 0;
   /// <f_X, h.f_Z> / (|f_X| |f_Z|) at the final length scale, in [0, 1].
   double cos_theta = 0;
-  /// Information (inverse covariance) of a right perturbation of T_fixed_moving, tangent order
-  /// [translation; rotation]: the negative second derivative of the objective, scaled so that a
-  /// moving point counts as one measurement with the final length scale and its depth noise as
-  /// standard deviation, times information_scale, less what the depth noise adds along the rays;
-  /// positive definite. If the search ended away from a maximum, it is the information of the
-  /// majorising least squares.
-  Matrix6 information = Matrix6::Zero();
+  /// Covariance of a right perturbation of T_fixed_moving, tangent order [translation; rotation];
+  /// positive definite. It is the inverse of the negative second derivative of the objective,
+  /// scaled so that a moving point counts as one measurement with the final length scale and its
+  /// depth noise as standard deviation, times information_scale; plus the effect of the depth noise
+  /// along the rays. If the search ended away from a maximum, the second derivative is that of the
+  /// majorising least squares. Zero if the registration failed.
+  Matrix6 covariance = Matrix6::Zero();
 };
 
 /// The state of a registration before its last length scale.

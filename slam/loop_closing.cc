@@ -43,17 +43,6 @@ LoopVerdict rejected(const LoopMatch& match, const std::string& reason) {
   return verdict;
 }
 
-PoseGraphEdge edge_of(EdgeKind kind, std::size_t older, std::size_t newer,
-                      const PairMeasurement& measurement) {
-  const bool may_be_wrong = kind != EdgeKind::kOdometry;
-  return {node_id(older),
-          node_id(newer),
-          measurement.T_older_newer,
-          edge_information(measurement.T_older_newer, measurement.information),
-          kind,
-          may_be_wrong};
-}
-
 LoopClosing::LoopClosing(const Camera& camera, const RegistrationOptions& registration, int threads,
                          const LoopClosingOptions& options, const RegistrationNoise& noise,
                          const std::shared_ptr<const Vocabulary>& vocabulary)

@@ -26,10 +26,6 @@ namespace cvo_slam {
 /// The same for a match of images, with its scores and inliers.
 [[nodiscard]] LoopCandidate candidate_row(const LoopMatch& match, const PairVerdict& verdict);
 
-/// The edge that a measurement becomes.
-[[nodiscard]] PoseGraphEdge edge_of(EdgeKind kind, std::size_t older, std::size_t newer,
-                                    const PairMeasurement& measurement);
-
 /// What becomes of a match. At most one of the last three is set.
 struct LoopVerdict {
   LoopCandidate row;

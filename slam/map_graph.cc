@@ -1,18 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/LU>
-
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/keyframes_internal.h"
 #include "cvo_slam/slam/map_graph_internal.h"
 
 namespace cvo_slam {
 
-EdgeCovariances covariances_of(const PoseGraphEdge& edge) {
-  // The way back from the residual's frame is the way there with the inverse rotation.
-  const AlignedMatrix6 information = edge_information(edge.T_from_to.inverse(), edge.information);
-  const Matrix6 covariance = information.inverse();
-  const Matrix6 adjoint = edge.T_from_to.adjoint();
+EdgeCovariances both_ways(const SE3& T_from_to, const Matrix6& covariance) {
+  const Matrix6 adjoint = T_from_to.adjoint();
   return {covariance, adjoint * covariance * adjoint.transpose()};
 }
 
@@ -20,9 +15,14 @@ void MapGraph::add_keyframe(std::size_t number, const SE3& T_world_camera) {
   optimizer_.add_node({node_id(number), T_world_camera});
 }
 
-void MapGraph::add_edge(const PoseGraphEdge& edge, std::optional<std::size_t> row) {
-  optimizer_.add_edge(edge);
-  covariances_.push_back(covariances_of(edge));
+void MapGraph::add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
+                        const PairMeasurement& measurement, std::optional<std::size_t> row) {
+  const auto& [T_older_newer, covariance] = measurement;
+  const bool may_be_wrong = kind != EdgeKind::kOdometry;
+  optimizer_.add_edge({node_id(older), node_id(newer), T_older_newer,
+                       edge_information(T_older_newer, inverse_of_spd(covariance)), kind,
+                       may_be_wrong});
+  covariances_.push_back(both_ways(T_older_newer, covariance));
   rows_.push_back(row);
 }
 

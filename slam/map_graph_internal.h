@@ -8,6 +8,7 @@
 
 #include "cvo_slam/backend/pose_graph_optimizer.h"
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/slam/pair_registration_internal.h"
 
 namespace cvo_slam {
 
@@ -17,7 +18,7 @@ struct EdgeCovariances {
   Matrix6 to_from = Matrix6::Zero();  ///< of T_from_to^-1
 };
 
-[[nodiscard]] EdgeCovariances covariances_of(const PoseGraphEdge& edge);
+[[nodiscard]] EdgeCovariances both_ways(const SE3& T_from_to, const Matrix6& covariance);
 
 /// The pose graph of the keyframes. It owns their poses, and remembers of each edge its covariances
 /// and the row of loops.csv that it came from.
@@ -36,8 +37,10 @@ class MapGraph {
   void set_pose(std::size_t position, const SE3& T_world_camera) {
     optimizer_.set_pose(position, T_world_camera);
   }
-  /// `row` is none for an edge that is no candidate's.
-  void add_edge(const PoseGraphEdge& edge, std::optional<std::size_t> row);
+  /// Connects two keyframes, given by their numbers. All edges but those of odometry may be wrong,
+  /// so that the robust loss holds for them. `row` is none for an edge that is no candidate's.
+  void add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
+                const PairMeasurement& measurement, std::optional<std::size_t> row);
   /// Removes an edge and returns its row.
   std::optional<std::size_t> remove_edge(std::size_t index);
   Summary optimize(OptimizationScope scope) { return optimizer_.optimize(scope); }

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "cvo_slam/core/pose_graph.h"
@@ -67,8 +66,7 @@ void Mapper::add_keyframe(const KeyframeInput& keyframe) {
   T_world_newest_tracked_ = keyframe.T_world_camera;
   if (const auto& odometry = keyframe.odometry) {
     add_edge(EdgeKind::kOdometry, odometry->reference, keyframe.number,
-             {odometry->T_reference_keyframe, noise_.added_to(odometry->information)},
-             std::nullopt);
+             {odometry->T_reference_keyframe, noise_.added_to(odometry->covariance)}, std::nullopt);
     map_.usual_cos_theta.sum += odometry->cos_theta;
     ++map_.usual_cos_theta.count;
   } else if (const auto& recognized = keyframe.recognized) {
@@ -86,11 +84,9 @@ SE3 Mapper::start_after_gap(const KeyframeInput& keyframe) {
   constexpr double kShortest = 0.01;  // [s]
   const double seconds =
       std::max(kShortest, seconds_between(map_.keyframes[last].stamp, keyframe.stamp));
-  const AlignedMatrix6 information =
-      AlignedMatrix6(untracked_covariance(seconds, options_.loops.relocalization)).inverse();
-  const PoseGraphEdge as_edge{node_id(map_.keyframes[last].number), node_id(keyframe.number),
-                              T_last_keyframe, edge_information(T_last_keyframe, information)};
-  map_.gaps.push_back({last, last + 1, T_last_keyframe, covariances_of(as_edge)});
+  map_.gaps.push_back(
+      {last, last + 1, T_last_keyframe,
+       both_ways(T_last_keyframe, untracked_covariance(seconds, options_.loops.relocalization))});
   return (map_.graph.pose(last) * T_last_keyframe).normalized();
 }
 
@@ -187,7 +183,7 @@ void Mapper::settle_links() {
 
 void Mapper::add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
                       const PairMeasurement& measurement, std::optional<std::size_t> row) {
-  map_.graph.add_edge(edge_of(kind, older, newer, measurement), row);
+  map_.graph.add_edge(kind, older, newer, measurement, row);
   map_.submaps.join(map_.keyframes[map_.keyframes.position_of(older)].tracked_submap,
                     map_.keyframes[map_.keyframes.position_of(newer)].tracked_submap);
 }

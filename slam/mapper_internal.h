@@ -22,7 +22,7 @@ namespace cvo_slam {
 struct OdometryMeasurement {
   std::size_t reference = 0;  ///< number of the other keyframe
   SE3 T_reference_keyframe;
-  Matrix6 information = Matrix6::Identity();  ///< of a right perturbation
+  Matrix6 covariance = Matrix6::Identity();  ///< of a right perturbation
   double cos_theta = 0;
 };
 

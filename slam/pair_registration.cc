@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "cvo_slam/slam/pair_registration_internal.h"
@@ -41,8 +40,7 @@ PairVerdict compare(const RegistrationResult& there, const RegistrationResult& b
 /// Distance of a measurement from the prior in standard deviations of both.
 double prior_error(const PairMeasurement& measurement, const PairPrior& prior,
                    const SE3& correction) {
-  const AlignedMatrix6 information = measurement.information;
-  const AlignedMatrix6 covariance = AlignedMatrix6(prior.covariance) + information.inverse();
+  const AlignedMatrix6 covariance = prior.covariance + measurement.covariance;
   const Eigen::Matrix<double, 6, 1> error = correction.log();
   return std::sqrt(error.dot(covariance.ldlt().solve(error)));
 }
@@ -68,12 +66,10 @@ std::string find_fault(const PairVerdict& v, double usual_cos_theta, const PairO
 
 }  // namespace
 
-Matrix6 RegistrationNoise::added_to(const Matrix6& information) const {
-  AlignedMatrix6 covariance = AlignedMatrix6(information).inverse();
+Matrix6 RegistrationNoise::added_to(Matrix6 covariance) const {
   covariance.diagonal().head<3>().array() += translation * translation;
   covariance.diagonal().tail<3>().array() += rotation * rotation;
-  const AlignedMatrix6 sum = covariance.inverse();
-  return 0.5 * (sum + sum.transpose());
+  return covariance;
 }
 
 PairRegistration::PairRegistration(const RegistrationOptions& registration, int threads,
@@ -109,7 +105,7 @@ PairVerdict PairRegistration::verify(const PointCloud& older, const SE3& T_older
   // Each way has points of its own; the middle has less noise than either.
   const SE3 T_middle =
       interpolate(there.T_fixed_moving, back.T_fixed_moving.inverse(), 0.5).normalized();
-  const PairMeasurement measurement{T_middle, noise_.added_to(there.information)};
+  const PairMeasurement measurement{T_middle, noise_.added_to(there.covariance)};
   if (prior != nullptr) {
     const SE3 correction = prior->T_older_newer.inverse() * measurement.T_older_newer;
     verdict.correction_translation = correction.translation().norm();

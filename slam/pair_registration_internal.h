@@ -12,13 +12,13 @@
 
 namespace cvo_slam {
 
-/// The part of a registration's error that its own information matrix does not know of.
+/// The part of a registration's error that its own covariance does not know of.
 struct RegistrationNoise {
   double translation = 0;  ///< standard deviation [m]
   double rotation = 0;     ///< standard deviation [rad]
 
-  /// Returns the information with this noise added.
-  [[nodiscard]] Matrix6 added_to(const Matrix6& information) const;
+  /// Returns the covariance with this noise added.
+  [[nodiscard]] Matrix6 added_to(Matrix6 covariance) const;
 };
 
 /// What is known of the pose of a pair before it is registered.
@@ -30,7 +30,7 @@ struct PairPrior {
 /// The relative pose of two keyframes as it was measured.
 struct PairMeasurement {
   SE3 T_older_newer;
-  Matrix6 information = Matrix6::Identity();  ///< of a right perturbation
+  Matrix6 covariance = Matrix6::Identity();  ///< of a right perturbation
 };
 
 /// The result of registering a pair: a measurement, or the reason why there is none. Figures that

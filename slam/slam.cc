@@ -118,7 +118,7 @@ void Slam::Impl::submit(const TrackerKeyframe& keyframe) {
   input.cloud = keyframe.cloud;
   if (record.keyframe != record.index) {
     const RegistrationResult& result = record.registration;
-    input.odometry = {record.keyframe, result.T_fixed_moving, result.information, result.cos_theta};
+    input.odometry = {record.keyframe, result.T_fixed_moving, result.covariance, result.cos_theta};
   }
   input.recognized = std::exchange(recognized, std::nullopt);
   if (options.loops.enabled) input.images = keyframe.images;

@@ -38,12 +38,12 @@ class RegistrationInput : public testing::TestWithParam<Solver> {
     EXPECT_EQ(result.reason, reason);
     EXPECT_EQ(result.T_fixed_moving.matrix(), T_init_.matrix()) << "the start is given back";
     EXPECT_EQ(result.overlap, 0.0);
-    EXPECT_EQ(result.information, Matrix6(Matrix6::Zero()));
+    EXPECT_EQ(result.covariance, Matrix6(Matrix6::Zero()));
   }
 
   static void expect_finite(const RegistrationResult& result) {
     EXPECT_TRUE(result.T_fixed_moving.matrix().allFinite());
-    EXPECT_TRUE(result.information.allFinite());
+    EXPECT_TRUE(result.covariance.allFinite());
     EXPECT_GE(result.overlap, 0);
     EXPECT_LE(result.overlap, 1);
     EXPECT_GE(result.cos_theta, 0);
@@ -122,13 +122,13 @@ TEST_P(RegistrationInput, APlaneOfPointsHoldsThePose) {
   EXPECT_EQ(result.overlap, 1.0);
 }
 
-TEST_P(RegistrationInput, InformationIsPositiveDefiniteAwayFromAMaximumToo) {
+TEST_P(RegistrationInput, CovarianceIsPositiveDefiniteAwayFromAMaximumToo) {
   options_.max_iterations = {1};
   for (const double distance : {0.0, 0.02, 0.05, 0.1}) {
     const PointCloud moving = transformed(cloud_, motion(distance, distance, 0, 0, 0, distance));
     const auto result = run(cloud_, moving);
     ASSERT_NE(result.status, RegistrationStatus::kFailed);
-    const Eigen::LLT<Eigen::MatrixXd> llt(result.information);
+    const Eigen::LLT<Eigen::MatrixXd> llt(result.covariance);
     EXPECT_EQ(llt.info(), Eigen::Success) << distance;
   }
 }

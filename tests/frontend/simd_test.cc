@@ -61,7 +61,7 @@ TEST_F(Simd, PathsAgreeToSinglePrecision) {
     // Sums in another order and fused multiply-adds: 1e-7 of a metre, and of the objective.
     expect_near(result.T_fixed_moving, scalar.T_fixed_moving, 1e-6, 1e-6);
     EXPECT_NEAR(result.objective, scalar.objective, 1e-5 * scalar.objective);
-    EXPECT_LT((result.information - scalar.information).norm(), 1e-4 * scalar.information.norm());
+    EXPECT_LT((result.covariance - scalar.covariance).norm(), 1e-4 * scalar.covariance.norm());
   }
 }
 

@@ -172,7 +172,7 @@ TEST_F(TrackerOnSyntheticFrames, IsTheSameToTheBitWithTwoThreads) {
   const auto two = track(4, options_);
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].T_world_camera.matrix(), two[i].T_world_camera.matrix());
-    EXPECT_EQ(one[i].registration.information, two[i].registration.information);
+    EXPECT_EQ(one[i].registration.covariance, two[i].registration.covariance);
     EXPECT_EQ(one[i].registration.iterations, two[i].registration.iterations);
   }
 }

@@ -58,7 +58,7 @@ class MapperWalk : public testing::Test {
     keyframe.T_world_camera = T_world_camera;
     if (!poses_.empty() && submap == submap_) {
       keyframe.odometry = {poses_.size() - 1, poses_.back().inverse() * T_world_camera,
-                           1e6 * Matrix6::Identity(), kCosTheta};
+                           1e-6 * Matrix6::Identity(), kCosTheta};
     }
     keyframe.cloud = std::make_shared<const PointCloud>(points_of(images));
     keyframe.images = images;

@@ -45,7 +45,7 @@ class SubmapLinks : public testing::Test {
     return rows;
   }
   void add_edge(EdgeKind kind, std::size_t older, std::size_t newer) {
-    map_.graph.add_edge({node_id(older), node_id(newer), SE3(), Matrix6::Identity(), kind}, {});
+    map_.graph.add_edge(kind, older, newer, {}, {});
     map_.submaps = submaps_of(map_);
   }
 
