@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-
 #include <Eigen/Geometry>
 
 #include "cvo_slam/backend/between_factor_internal.h"
@@ -15,7 +13,6 @@ using PoseJacobian = Eigen::Matrix<double, 6, 7, Eigen::RowMajor>;
 
 Vector3 position(const double* pose) { return Eigen::Map<const Vector3>(pose); }
 Quaternion orientation(const double* pose) { return Quaternion(pose + 3); }
-SE3 pose_at(const double* pose) { return to_pose(Eigen::Map<const PoseVector>(pose)); }
 
 /// Returns the matrix G with q (0, v) = G v, the product as (x, y, z, w). G^T G is the identity.
 Eigen::Matrix<double, 4, 3> right_product_columns(const Quaternion& q) {
@@ -25,14 +22,6 @@ Eigen::Matrix<double, 4, 3> right_product_columns(const Quaternion& q) {
       -q.y(), q.x(), q.w(),   //
       -q.x(), -q.y(), -q.z();
   return G;
-}
-
-/// Returns the quaternion of the rotation by |w| [rad] about w.
-Quaternion exp_quaternion(const Vector3& w) {
-  const double half = w.norm() / 2;
-  // Half of sin(half) / half; the series is exact to rounding where the quotient is not.
-  const double scale = half < 1e-4 ? 0.5 * (1 - half * half / 6) : 0.5 * std::sin(half) / half;
-  return {std::cos(half), scale * w.x(), scale * w.y(), scale * w.z()};
 }
 
 /// Returns q_ab q_est^-1 with w >= 0.
@@ -64,40 +53,6 @@ PoseVector to_vector(const SE3& pose) {
 
 SE3 to_pose(const PoseVector& vector) {
   return SE3::from_quaternion(vector[3], vector[4], vector[5], vector[6], vector.head<3>());
-}
-
-bool PoseManifold::Plus(const double* x, const double* delta, double* x_plus_delta) const {
-  const SE3 step = SE3::exp(Eigen::Map<const Vector6>(delta));
-  const Eigen::Map<const Quaternion> q(x + 3);
-  Eigen::Map<Vector3> p_plus(x_plus_delta);
-  Eigen::Map<Quaternion> q_plus(x_plus_delta + 3);
-  p_plus = Eigen::Map<const Vector3>(x) + q * step.translation();
-  q_plus = (q * exp_quaternion(Eigen::Map<const Vector3>(delta + 3))).normalized();
-  return true;
-}
-
-bool PoseManifold::PlusJacobian(const double* x, double* jacobian) const {
-  Eigen::Map<Eigen::Matrix<double, 7, 6, Eigen::RowMajor>> J(jacobian);
-  const Eigen::Map<const Quaternion> q(x + 3);
-  J.setZero();
-  J.topLeftCorner<3, 3>() = q.toRotationMatrix();
-  J.bottomRightCorner<4, 3>() = 0.5 * right_product_columns(q);
-  return true;
-}
-
-bool PoseManifold::Minus(const double* y, const double* x, double* y_minus_x) const {
-  Eigen::Map<Vector6> xi(y_minus_x);
-  xi = (pose_at(x).inverse() * pose_at(y)).log();
-  return true;
-}
-
-bool PoseManifold::MinusJacobian(const double* x, double* jacobian) const {
-  Eigen::Map<PoseJacobian> J(jacobian);
-  const Eigen::Map<const Quaternion> q(x + 3);
-  J.setZero();
-  J.topLeftCorner<3, 3>() = q.toRotationMatrix().transpose();
-  J.bottomRightCorner<3, 4>() = 2 * right_product_columns(q).transpose();
-  return true;
 }
 
 BetweenFactor::BetweenFactor(const SE3& T_a_b, const Matrix6& information)

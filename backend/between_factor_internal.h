@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <ceres/manifold.h>
+#include <ceres/product_manifold.h>
 #include <ceres/sized_cost_function.h>
 
 #include "cvo_slam/core/se3.h"
@@ -16,24 +17,16 @@ using PoseVector = Eigen::Matrix<double, 7, 1, Eigen::DontAlign>;
 [[nodiscard]] PoseVector to_vector(const SE3& pose);
 [[nodiscard]] SE3 to_pose(const PoseVector& vector);
 
-/// SE(3) for Ceres. The tangent is [translation; rotation] on the right, as everywhere in this
-/// library: Plus(T, xi) = T exp(xi), Minus(T', T) = log(T^-1 T').
-class PoseManifold final : public ceres::Manifold {
- public:
-  [[nodiscard]] int AmbientSize() const override { return 7; }
-  [[nodiscard]] int TangentSize() const override { return 6; }
-  bool Plus(const double* x, const double* delta, double* x_plus_delta) const override;
-  bool PlusJacobian(const double* x, double* jacobian) const override;
-  bool Minus(const double* y, const double* x, double* y_minus_x) const override;
-  bool MinusJacobian(const double* x, double* jacobian) const override;
-};
+/// The manifold of such poses: a step moves the position in the world and rotates in the world.
+using PoseManifold =
+    ceres::ProductManifold<ceres::EuclideanManifold<3>, ceres::EigenQuaternionManifold>;
 
 /// The residual between_residual() of one measurement times the square root of its information, as
 /// a function of two poses (PoseVector): |r|^2 is the squared error of the edge.
 ///
-/// With D = dr / dxi for a right perturbation T exp(xi) of one pose and M = PoseManifold's
-/// MinusJacobian, the derivative by the seven values of the pose is taken as D M. It differs from
-/// the plain derivative only across the manifold, where nothing moves.
+/// The derivative by the quaternion q of a pose is D 2 G^T, where D is the derivative by a rotation
+/// on the right and q (0, v) = G v. It differs from the plain derivative only across the manifold,
+/// where nothing moves.
 class BetweenFactor final : public ceres::SizedCostFunction<6, 7, 7> {
  public:
   BetweenFactor(const SE3& T_a_b, const Matrix6& information);

@@ -45,10 +45,16 @@ struct Evaluation {
   Matrix6 J_b;
 };
 
+/// Returns the derivative by right perturbations of a pose, from that by its seven values.
 Matrix6 by_tangent(const Eigen::Matrix<double, 6, 7, Eigen::RowMajor>& jacobian,
                    const PoseVector& pose) {
-  Eigen::Matrix<double, 7, 6, Eigen::RowMajor> plus;
-  PoseManifold().PlusJacobian(pose.data(), plus.data());
+  const Eigen::Quaterniond q(pose[6], pose[3], pose[4], pose[5]);
+  Eigen::Matrix<double, 7, 6> plus = Eigen::Matrix<double, 7, 6>::Zero();
+  plus.topLeftCorner<3, 3>() = q.toRotationMatrix();
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 half = 0.5 * Vector3::Unit(k);
+    plus.col(3 + k).tail<4>() = (q * Eigen::Quaterniond(0, half.x(), half.y(), half.z())).coeffs();
+  }
   return jacobian * plus;
 }
 
