@@ -63,8 +63,8 @@ class Judge {
       constexpr double kMaxGap = 0.1;  // [s]
       const auto pose = interpolate_at(data.reference(), keyframe.stamp, kMaxGap);
       if (!pose) continue;
-      index_[keyframe.frame] = keyframes_.size();
-      keyframes_.push_back({data.read(keyframe.frame), *pose});
+      index_[keyframe.number] = keyframes_.size();
+      keyframes_.push_back({data.read(keyframe.number), *pose});
     }
   }
 

@@ -211,7 +211,7 @@ class Kidnapping {
         sensor_(
             world_.scene, [this](double seconds) { return plan_.T_world_camera(seconds); },
             static_cast<double>(plan_.frames()) / kRate, camera_, sensor_options(), seed),
-        slam_(camera_, {}, slam_options()) {}
+        slam_(camera_, slam_options()) {}
 
   Tallies run() {
     Tallies tallies;
@@ -291,8 +291,8 @@ class Kidnapping {
     SE3 nearest;
     double shortest = std::numeric_limits<double>::infinity();
     for (const Keyframe& keyframe : slam_.keyframes()) {
-      if (keyframe.frame >= plan_.stays()[0].frames) break;
-      const SE3 T_true = T_world_camera(keyframe.frame).inverse() * T_world_camera(record.index);
+      if (keyframe.number >= plan_.stays()[0].frames) break;
+      const SE3 T_true = T_world_camera(keyframe.number).inverse() * T_world_camera(record.index);
       const double distance = T_true.translation().norm() + T_true.angle();
       if (distance >= shortest) continue;
       shortest = distance;

@@ -127,7 +127,7 @@ void verify_a_loop(benchmark::State& state) {
   const LoopDetector detector(camera);
   const auto a = detector.extract(house_frame(1));
   const auto b = detector.extract(house_frame(1.1));
-  const LoopVerifier verifier(camera.color);
+  const LoopVerifier verifier(camera);
   for ([[maybe_unused]] auto iteration : state) benchmark::DoNotOptimize(verifier.verify(*a, *b));
 }
 BENCHMARK(verify_a_loop)->Unit(benchmark::kMillisecond);

@@ -176,7 +176,7 @@ class Quality {
   }
 
   void verify_all_pairs() {
-    const LoopVerifier verifier(data_->camera().color, options_.verification);
+    const LoopVerifier verifier(data_->camera(), options_.verification);
     const auto gap = static_cast<std::size_t>(options_.candidates.min_gap);
     for (std::size_t j = gap; j < keyframes_.size(); ++j) {
       for (std::size_t i = 0; i + gap < j; ++i) {
@@ -239,11 +239,11 @@ class Quality {
   static void print(const JudgedPair& judged) {
     const Verification& v = judged.match.verification;
     fmt::print(
-        "{:4} {:4} overlap {:.2f} score {:.3f} {:.2f} consistent {} matches {} inliers {} visible "
+        "{:4} {:4} overlap {:.2f} score {:.3f} {:.2f} matches {} inliers {} visible "
         "{:.2f} cover {:.2f} error {:.3f} m {:.4f} rad {} {}\n",
         judged.older, judged.newer, judged.overlap, judged.match.score,
-        judged.match.normalized_score, judged.match.consistency, v.matches, v.inliers,
-        v.visible_share, v.coverage, judged.translation, judged.rotation,
+        judged.match.normalized_score, v.matches, v.inliers, v.visible_share, v.coverage,
+        judged.translation, judged.rotation,
         v.accepted ? (judged.is_correct() ? "ACCEPTED" : "FALSE") : "rejected:", v.reason);
     if (judged.refined.status == RegistrationStatus::kFailed) return;
     fmt::print("          CVO: overlap {:.2f} cos_theta {:.3f}\n", judged.refined.overlap,
