@@ -142,7 +142,7 @@ Json json_of(const FramePair& pair, const FrameRegistration& registration) {
                      {"rotation_deg", error.angle() * kDegrees}};
   }
   json["status"] = word_of(result.status);
-  json["doubt"] = registration.rejection;
+  json["rejection"] = registration.rejection;
   json["iterations"] = result.iterations;
   json["points_a"] = registration.points_a.size();
   json["points_b"] = registration.points_b.size();

@@ -4,9 +4,11 @@
 #
 # run_benchmarks.sh [output file]
 #
-# Runs all modes of the program, the CVO paper's protocol and OpenCV's odometries on full sequences and
-# writes docs/results/benchmarks.md (`make eval`). Takes about twelve minutes.
+# Runs all modes of the program and OpenCV's odometries on full sequences and writes
+# docs/results/benchmarks.md (`make eval`). Takes about ten minutes.
 #
+#   SYSTEMS           of `cvo_slam bench odometry` (default ours,rgbd,rgbd_icp,icp); `paper`, the CVO
+#                     paper's protocol, takes half an hour more
 #   CVO_SLAM_DATA     folder of the recorded sequences (default: ../shared/data beside the checkout);
 #                     one that is not there is left out, and the page says so
 #   PROGRAM           (default build/release/cvo_slam)
@@ -19,6 +21,7 @@ program=${PROGRAM:-build/release/cvo_slam}
 page=${1:-docs/results/benchmarks.md}
 data=${CVO_SLAM_DATA:-../shared/data}
 arguments=${BENCH_ARGUMENTS:-}
+systems=${SYSTEMS:-ours,rgbd,rgbd_icp,icp}
 work=build/eval
 room=$work/room
 draft=$work/benchmarks.md
@@ -60,9 +63,9 @@ compare() {
     echo '| mode | RPE 1 s [mm] | RPE 1 s [deg] | RPE 1 frame [mm] | RPE 1 frame [deg] | ATE [mm] | lost | keyframes | loop edges | CPU a frame, with decoding [ms] | memory [MB] |'
     echo '| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |'
     for mode in odometry graph slam; do mode_row "$mode" "$3"; done
-    print_command "cvo_slam bench odometry $2 --systems ours,paper,rgbd,rgbd_icp,icp"
+    print_command "cvo_slam bench odometry $2 --systems $systems"
     # shellcheck disable=SC2086  # several arguments
-    "$program" bench odometry "$3" --systems ours,paper,rgbd,rgbd_icp,icp $arguments
+    "$program" bench odometry "$3" --systems $systems $arguments
   } >> "$draft"
 }
 
