@@ -69,6 +69,7 @@ struct Tracker::Impl {
   PreparedFrame frame;  // the one given last; after it was tracked, memory
   PointCloud seen;      // its points as its rows saw them
   PointCloud points;    // its points at its stamp
+  PointCloud keyframe_points;
   std::string image_problem = "no frame was given yet";  // why its images are of no use
   FrameRecord blank;                                     // its record before anything is known
   bool is_tracked = false;                               // true if it is last_tracked now
@@ -299,11 +300,12 @@ void Tracker::Impl::make_keyframe() {
   const RgbdFrame& images = last_tracked.images;
   keyframe = {images.index, motion.last_pose(), true, !motion.is_moving()};
   policy.keyframe_made();
-  const auto cloud = std::make_shared<PointCloud>();
-  select(last_tracked, options.keyframe_points, *cloud);
-  undo_shutter(motion.velocity(), *cloud);
-  registration.set_fixed(*cloud);
-  if (!is_taken) pending = {images.index, cloud, images};
+  select(last_tracked, options.keyframe_points, keyframe_points);
+  undo_shutter(motion.velocity(), keyframe_points);
+  registration.set_fixed(keyframe_points);
+  if (is_taken) return;
+  // A copy has no more memory than it needs.
+  pending = {images.index, std::make_shared<const PointCloud>(keyframe_points), images};
 }
 
 Tracker::Tracker(const Camera& camera, const TrackerOptions& options)
