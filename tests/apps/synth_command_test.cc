@@ -71,7 +71,8 @@ TEST(SynthCommand, DumpedOptionsCanBeReadAgain) {
   const TemporaryFolder folder;
   const auto dumped = run_program({"synth", "--noise", "harsh", "--dump-config"});
   EXPECT_EQ(dumped.exit_code, 0);
-  EXPECT_THAT(dumped.output, HasSubstr("    # Number of boxes that swing through the field of view."));
+  EXPECT_THAT(dumped.output,
+              HasSubstr("    # Number of boxes that swing through the field of view."));
   const auto config = folder.write("sensor.yaml", dumped.output);
   const auto again = run_program({"synth", "--config", config, "--dump-config"});
   EXPECT_EQ(again.output, dumped.output);
