@@ -48,7 +48,7 @@ std::string find_motion_fault(const SE3& motion, double seconds, const LostOptio
 
 std::string find_fault(const RegistrationResult& result, const TrackingSituation& situation,
                        const LostOptions& limits) {
-  const std::string mismatch = find_mismatch(
+  std::string mismatch = find_mismatch(
       result, situation.is_lost ? limits_after_loss(situation.seconds, limits) : limits);
   if (!mismatch.empty()) return mismatch;
   return find_motion_fault(situation.T_last_camera, situation.seconds, limits);
