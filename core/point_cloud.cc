@@ -8,7 +8,8 @@
 namespace cvo_slam {
 
 FieldOfView::FieldOfView(const PinholeCamera& camera) : camera_(camera) {
-  constexpr double kMargin = 1.05;  // for what the radial part of the distortion leaves out
+  if (!camera.has_distortion()) return;  // a pinhole leads nothing back into the image
+  constexpr double kMargin = 1.05;       // for what the radial part of the distortion leaves out
   double corner = 0;
   for (const double u : {-0.5, camera.width - 0.5}) {
     for (const double v : {-0.5, camera.height - 0.5}) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
@@ -43,7 +44,8 @@ class FieldOfView {
 
  private:
   PinholeCamera camera_;
-  double max_radius2_ = 0;  // (x^2 + y^2) / z^2 of the widest ray into the image
+  // (x^2 + y^2) / z^2 of the widest ray into the image; without distortion, none need be left out.
+  double max_radius2_ = std::numeric_limits<double>::infinity();
 };
 
 /// Returns the share of a cloud's points that lie in a camera's image, whatever stands in between.

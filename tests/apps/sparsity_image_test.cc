@@ -45,7 +45,7 @@ TEST(DrawSparsity, ADiagonalMatrixIsADiagonal) {
 }
 
 TEST(DrawSparsity, PixelsAreDarkerTheMoreEntriesTheyHold) {
-  // Of four by four entries the upper left quarter is full, and the lower right one has one entry.
+  // The upper left quarter of the four by four entries is full; the lower right one has one entry.
   std::vector<KernelEntry> entries = {{2, 2, 1, 1}};
   for (std::uint32_t i = 0; i < 2; ++i) {
     for (std::uint32_t j = 0; j < 2; ++j) entries.push_back({i, j, 1, 1});
