@@ -18,6 +18,12 @@ set(CVO_SLAM_COSTLY_HEADERS
     <string>
     <vector>)
 
+# Sources that Google Highway compiles once for each instruction set include themselves: in a unity
+# build, where several sources are compiled as one, they stay alone.
+function(cvo_slam_compile_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # Lets a target use the precompiled headers of the rooms. GCC reads them only into code that is
 # position-independent in the same way: that of a library (-fPIC), also in a program.
 function(cvo_slam_reuse_precompiled_headers TARGET)

@@ -20,6 +20,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # Lets ccache see the content of a precompiled header.
   target_compile_options(cvo_slam_settings INTERFACE -fpch-preprocess)
 endif()
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # In a unity build GCC takes each source for a header.
+  target_compile_options(cvo_slam_settings INTERFACE -Wno-subobject-linkage)
+endif()
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(cvo_slam_settings INTERFACE -Wall -Wextra -Wconversion -Wshadow)
 endif()

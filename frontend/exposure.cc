@@ -11,7 +11,7 @@
 namespace cvo_slam {
 namespace {
 
-constexpr int kGridStep = 16;  // [px]
+constexpr int kMeanGridStep = 16;  // [px]
 /// Range of usable pixels: darker ones are noise, brighter ones may be cut off.
 constexpr float kDarkest = 10;
 constexpr float kBrightest = 245;
@@ -47,9 +47,9 @@ double ExposureGain::jump() {
 double ExposureGain::update(const cv::Mat& image) {
   next_.clear();
   const int channels = image.channels();
-  for (int v = kGridStep / 2; v < image.rows; v += kGridStep) {
+  for (int v = kMeanGridStep / 2; v < image.rows; v += kMeanGridStep) {
     const auto* row = image.ptr<std::uint8_t>(v);
-    for (int u = kGridStep / 2; u < image.cols; u += kGridStep) {
+    for (int u = kMeanGridStep / 2; u < image.cols; u += kMeanGridStep) {
       const auto* pixel = row + static_cast<std::ptrdiff_t>(u) * channels;
       next_.push_back(static_cast<float>(std::accumulate(pixel, pixel + channels, 0)) /
                       static_cast<float>(channels));

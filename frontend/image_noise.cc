@@ -10,7 +10,7 @@
 namespace cvo_slam {
 namespace {
 
-constexpr int kGridStep = 8;  // [px]
+constexpr int kNoiseGridStep = 8;  // [px]
 constexpr std::size_t kLargest = std::size_t{8} * 255;
 constexpr double kGain = 6;                    // the norm of N
 constexpr double kMedianOfDeviation = 0.6745;  // the median of |x| of a standard normal x
@@ -25,11 +25,11 @@ int response(const std::uint8_t* above, const std::uint8_t* row, const std::uint
 double image_noise(const cv::Mat& grey) {
   std::array<int, kLargest + 1> histogram{};
   int count = 0;
-  for (int v = kGridStep; v + 1 < grey.rows; v += kGridStep) {
+  for (int v = kNoiseGridStep; v + 1 < grey.rows; v += kNoiseGridStep) {
     const auto* above = grey.ptr<std::uint8_t>(v - 1);
     const auto* row = grey.ptr<std::uint8_t>(v);
     const auto* below = grey.ptr<std::uint8_t>(v + 1);
-    for (int u = kGridStep; u + 1 < grey.cols; u += kGridStep) {
+    for (int u = kNoiseGridStep; u + 1 < grey.cols; u += kNoiseGridStep) {
       ++histogram[static_cast<std::size_t>(std::abs(response(above + u, row + u, below + u)))];
       ++count;
     }

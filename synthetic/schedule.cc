@@ -11,12 +11,11 @@
 namespace cvo_slam::synthetic {
 namespace {
 
-constexpr std::int64_t kFrameRate = 30;  // [Hz]
 // The first stamp is not zero, so that all stamps have as many digits and file names sort by time.
 constexpr std::int64_t kFirstSecond = 1000;
 constexpr std::int64_t kMicroseconds = 1000000;  // in a second
 
-enum Purpose : std::int32_t { kJitter = 101, kDropColor, kDropDepth, kDropBoth };
+enum SchedulePurpose : std::int32_t { kJitter = 101, kDropColor, kDropDepth, kDropBoth };
 
 /// Returns a stamp of whole microseconds, as in file names, so that the pose is exact for the
 /// stamp.
@@ -54,7 +53,7 @@ std::vector<FrameTimes> schedule(std::size_t frames, const SensorOptions& option
   const std::uint32_t seed = sensor_seed(options.seed, world_seed);
   std::vector<FrameTimes> times;
   for (std::int32_t i = 0; static_cast<std::size_t>(i) < frames; ++i) {
-    const auto kept = [&](double share, Purpose purpose) {
+    const auto kept = [&](double share, SchedulePurpose purpose) {
       return i == 0 || hash_unit(derived_seed(seed, purpose), i) >= share;
     };
     const std::int64_t elapsed = (i * kMicroseconds + kFrameRate / 2) / kFrameRate;

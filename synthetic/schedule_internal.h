@@ -11,6 +11,9 @@
 
 namespace cvo_slam::synthetic {
 
+/// Frames a second.
+constexpr int kFrameRate = 30;
+
 /// The times of a frame, and which of its images are kept.
 struct FrameTimes {
   Timestamp color;
@@ -23,7 +26,7 @@ struct FrameTimes {
   [[nodiscard]] Exposure exposure() const;
 };
 
-/// Returns the first `frames` frames at 30 Hz. Two schedules of the same options and seed agree in
+/// Returns the first `frames` frames at kFrameRate. Two schedules of the same options and seed agree in
 /// the frames that both have.
 [[nodiscard]] std::vector<FrameTimes> schedule(std::size_t frames, const SensorOptions& options,
                                                std::uint32_t world_seed);

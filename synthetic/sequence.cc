@@ -65,8 +65,6 @@ void prepare_output_folder(const fs::path& folder) {
   }
 }
 
-constexpr double kFrameRate = 30;  // [Hz]
-
 std::size_t frames_of_a_round(const CameraPath& path) {
   return static_cast<std::size_t>(std::lround(path.duration() * kFrameRate)) + 1;
 }

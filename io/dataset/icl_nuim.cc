@@ -12,24 +12,24 @@ namespace {
 
 using Path = std::filesystem::path;
 
-bool recognise(const Path& folder) {
+bool is_icl_nuim(const Path& folder) {
   const auto file = find_association_file(folder);
   if (!file) return false;
   try {
     std::vector<std::string> notes;
     const AssociationList list = read_association_list(*file, notes);
     return list.depth_first && has_frame_numbers(list.frames);
-  } catch (const InputError&) {  // open() of TUM RGB-D, which reads the same file, reports it
+  } catch (const InputError&) {  // open_tum(), which reads the same file, reports it
     return false;
   }
 }
 
-std::optional<SuggestedCamera> suggest_camera(const Path& folder) {
+std::optional<SuggestedCamera> camera_of_icl_nuim(const Path& folder) {
   if (auto camera = camera_of_recording(folder)) return camera;
   return SuggestedCamera{"icl_nuim", "the layout is that of ICL-NUIM"};
 }
 
-Sequence open(const Path& folder, const Camera& /*camera*/, double max_stamp_difference) {
+Sequence open_icl_nuim(const Path& folder, const Camera& /*camera*/, double max_stamp_difference) {
   return open_image_lists(folder, max_stamp_difference);
 }
 
@@ -38,9 +38,9 @@ Sequence open(const Path& folder, const Camera& /*camera*/, double max_stamp_dif
 constinit const DatasetFormat kIclNuimFormat = {
     .name = "ICL-NUIM",
     .layout = "associations.txt with depth first and frame numbers as stamps",
-    .recognise = recognise,
-    .suggest_camera = suggest_camera,
-    .open = open,
+    .recognise = is_icl_nuim,
+    .suggest_camera = camera_of_icl_nuim,
+    .open = open_icl_nuim,
 };
 
 }  // namespace cvo_slam

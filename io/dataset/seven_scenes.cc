@@ -68,7 +68,7 @@ std::optional<SE3> read_pose(const Path& file) {
   return SE3::from_matrix(matrix);
 }
 
-bool recognise(const Path& folder) {
+bool is_seven_scenes(const Path& folder) {
   static const std::regex kName(R"(frame-\d{1,9}\.color\.(png|jpe?g))");
   const std::filesystem::directory_iterator files(folder);
   return std::any_of(begin(files), end(files), [](const auto& entry) {
@@ -76,11 +76,11 @@ bool recognise(const Path& folder) {
   });
 }
 
-std::optional<SuggestedCamera> suggest_camera(const Path& /*folder*/) {
+std::optional<SuggestedCamera> camera_of_seven_scenes(const Path& /*folder*/) {
   return SuggestedCamera{"7scenes", "the layout is that of 7-Scenes"};
 }
 
-Sequence open(const Path& folder, const Camera& camera, double /*max_stamp_difference*/) {
+Sequence open_seven_scenes(const Path& folder, const Camera& camera, double /*max_stamp_difference*/) {
   Sequence sequence;
   sequence.invalid_depth = 65535;
   const SE3 T_depth_color = camera.depth ? camera.depth->T_color_depth.inverse() : SE3();
@@ -111,9 +111,9 @@ Sequence open(const Path& folder, const Camera& camera, double /*max_stamp_diffe
 constinit const DatasetFormat kSevenScenesFormat = {
     .name = "7-Scenes",
     .layout = "frame-000000.color.png and .depth.png",
-    .recognise = recognise,
-    .suggest_camera = suggest_camera,
-    .open = open,
+    .recognise = is_seven_scenes,
+    .suggest_camera = camera_of_seven_scenes,
+    .open = open_seven_scenes,
 };
 
 }  // namespace cvo_slam

@@ -10,12 +10,12 @@ namespace {
 
 using Path = std::filesystem::path;
 
-bool recognise(const Path& folder) {
+bool is_tum(const Path& folder) {
   return find_association_file(folder) || (std::filesystem::is_regular_file(folder / "rgb.txt") &&
                                            std::filesystem::is_regular_file(folder / "depth.txt"));
 }
 
-Sequence open(const Path& folder, const Camera& /*camera*/, double max_stamp_difference) {
+Sequence open_tum(const Path& folder, const Camera& /*camera*/, double max_stamp_difference) {
   return open_image_lists(folder, max_stamp_difference);
 }
 
@@ -24,9 +24,9 @@ Sequence open(const Path& folder, const Camera& /*camera*/, double max_stamp_dif
 constinit const DatasetFormat kTumFormat = {
     .name = "TUM RGB-D",
     .layout = "rgb.txt and depth.txt, or associations.txt",
-    .recognise = recognise,
+    .recognise = is_tum,
     .suggest_camera = camera_of_recording,
-    .open = open,
+    .open = open_tum,
 };
 
 }  // namespace cvo_slam
