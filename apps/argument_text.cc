@@ -50,10 +50,12 @@ FrameRange parse_frames(const std::string& frames, std::size_t size) {
     throw OptionError(
         fmt::format("--frames {} must be a:b, a:, :b or a:b:step, e.g. 0:100", frames));
   }
-  const FrameRange range{*begin, std::min(*end, size), *step};
+  // A longer step than the sequence is the same, and cannot overflow.
+  const FrameRange range{*begin, std::min(*end, size),
+                         std::min(*step, std::max<std::size_t>(size, 1))};
   if (range.begin >= range.end) {
-    throw OptionError(fmt::format("--frames {} holds no frame; the sequence has frames 0 to {}",
-                                  frames, size - 1));
+    throw OptionError(fmt::format("--frames {} holds no frame; the sequence has {} frames, from 0",
+                                  frames, size));
   }
   return range;
 }

@@ -34,6 +34,7 @@ enum ExitCode : int {
   kBadInput = 2,
   kTrackingLost = 3,
   kInterrupted = 130,
+  kTerminated = 143,
 };
 
 /// An option or positional argument that was just declared; the functions restrict it further.

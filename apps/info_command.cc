@@ -1,24 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cvo_slam/apps/command_line.h"
-#include "cvo_slam/io/camera_file.h"
+#include "cvo_slam/apps/tracking_arguments.h"
+#include "cvo_slam/io/camera_check.h"
 #include "cvo_slam/io/dataset.h"
 
 namespace cvo_slam {
 namespace {
 
 struct InfoArguments {
-  std::string dataset;
-  std::string camera;
+  DatasetArguments sequence;
+  bool check = false;
   bool json = false;
 };
 
@@ -59,9 +62,10 @@ nlohmann::json to_json(const Camera& camera) {
   return json;
 }
 
-void print_json(const Dataset& data) {
+void print_json(const Dataset& data, const std::optional<Reprojection>& agreement,
+                const std::vector<std::string>& notes) {
   const DatasetInfo info = measure(data);
-  const nlohmann::json json = {
+  nlohmann::json json = {
       {"name", data.name()},
       {"kind", data.kind()},
       {"camera", to_json(data.camera())},
@@ -74,8 +78,15 @@ void print_json(const Dataset& data) {
        {{"poses", data.reference().size()},
         {"path_m", path_length(data.reference())},
         {"frames_covered", info.referenced}}},
-      {"notes", data.notes()}};
-  fmt::print("{}\n", json.dump(2));
+      {"reprojection", nullptr},
+      {"notes", notes}};
+  if (agreement) {
+    json["reprojection"] = {{"pairs", agreement->pairs},
+                            {"mean_squared_grey_difference", agreement->color_error},
+                            {"mean_squared_grey_difference_unmoved", agreement->still_error},
+                            {"relative_depth_error", agreement->depth_error}};
+  }
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 std::string describe(const PinholeCamera& camera) {
@@ -94,7 +105,8 @@ void print_camera(const Camera& camera) {
   }
 }
 
-void print_text(const Dataset& data) {
+void print_text(const Dataset& data, const std::optional<Reprojection>& agreement,
+                const std::vector<std::string>& notes) {
   const DatasetInfo info = measure(data);
   fmt::print("name       {}\nkind       {}\n", data.name(), data.kind());
   print_camera(data.camera());
@@ -108,17 +120,38 @@ void print_text(const Dataset& data) {
     fmt::print("reference  {} poses, {:.2f} m, covers {} of {} frames\n", data.reference().size(),
                path_length(data.reference()), info.referenced, data.size());
   }
-  for (const auto& note : data.notes()) fmt::print("note       {}\n", note);
+  if (agreement) {
+    fmt::print(
+        "check      {} pairs of frames: depth agrees to {:.1f} %, grey values differ by {:.1f} "
+        "(unmoved {:.1f})\n",
+        agreement->pairs, 100 * agreement->depth_error, std::sqrt(agreement->color_error),
+        std::sqrt(agreement->still_error));
+  }
+  for (const auto& note : notes) fmt::print("note       {}\n", note);
 }
 
+/// Returns why the images of the first frame cannot be used; empty if they can.
+std::string problem_of_first_frame(const Dataset& data) { return data.read(0).problem; }
+
 int run_info(const InfoArguments& arguments) {
-  DatasetOptions options;
-  if (!arguments.camera.empty()) options.camera = find_camera(arguments.camera);
-  const auto data = open_dataset(arguments.dataset, options);
+  const auto data = arguments.sequence.open();
+  std::vector<std::string> notes = data->notes();
+  if (const std::string problem = problem_of_first_frame(*data); !problem.empty()) {
+    notes.push_back("warning: the first frame cannot be used: " + problem);
+  }
+  std::optional<Reprojection> agreement;
+  if (arguments.check) {
+    agreement = measure_reprojection(*data, data->reference());
+    if (!agreement) notes.emplace_back("no check of the camera: it needs ground truth and motion");
+  }
+  if (agreement) {
+    const auto warning = reprojection_warning(*agreement, "the ground truth");
+    if (warning) notes.push_back("warning: " + *warning);
+  }
   if (arguments.json) {
-    print_json(*data);
+    print_json(*data, agreement, notes);
   } else {
-    print_text(*data);
+    print_text(*data, agreement, notes);
   }
   return kDone;
 }
@@ -128,9 +161,10 @@ int run_info(const InfoArguments& arguments) {
 void add_info_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<InfoArguments>();
   Command command(app, "info", "Describe a data set");
-  command.add("dataset", &arguments->dataset, "Folder of a sequence: " + dataset_formats())
-      .required();
-  command.add("--camera", &arguments->camera, "Camera file, or name of a built-in camera");
+  arguments->sequence.add_to(command);
+  command.add("--check", &arguments->check,
+              "Also re-project a few frames into each other by the ground truth: says whether the "
+              "camera fits the images");
   command.add("--json", &arguments->json, "Print one JSON object instead of text");
   command.on_parsed(action, [arguments] { return run_info(*arguments); });
 }

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 
 #include <fcntl.h>
@@ -47,6 +48,9 @@ int main(int argc, char** argv) {
     return fail(kBadInput, error.what());
   } catch (const OptionError& error) {
     return fail(kBadInput, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kFailed,
+                "memory is used up; take fewer frames (--frames), smaller images, or --no-map");
   } catch (const std::exception& error) {
     return fail(kFailed, error.what());
   }

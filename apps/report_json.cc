@@ -205,9 +205,10 @@ Json json_of(const RunReport& report) {
   Json json = {{"sequence", report.data.name()},
                {"kind", report.data.kind()},
                {"camera", report.data.camera().name},
+               {"camera_origin", report.data.camera_origin()},
                {"mode", report.mode},
                {"version", CVO_SLAM_VERSION},
-               {"interrupted", run.interrupted},
+               {"interrupted", run.signal != 0},
                {"frames",
                 {{"first", report.range.begin},
                  {"end", report.range.end},
@@ -226,6 +227,11 @@ Json json_of(const RunReport& report) {
                  {"read_ms_median", median_cost(run, &FrameCost::read_ms)},
                  {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
                  {"peak_memory_mb", run.peak_memory_mb}}}};
+  json["first_lost"] = nullptr;
+  if (!report.trajectory.lost.empty()) {
+    const LostFrame& lost = report.trajectory.lost.front();
+    json["first_lost"] = {{"stamp", lost.stamp.to_string()}, {"reason", lost.reason}};
+  }
   if (report.graph) json["graph"] = json_of(*report.graph);
   json["map"] = json_of(report.map);
   json["evaluation"] = report.evaluation ? json_of(*report.evaluation) : nullptr;
@@ -236,16 +242,25 @@ Json json_of(const RunReport& report) {
 
 }  // namespace
 
-std::string json_text(const EvaluationReport& report) { return json_of(report).dump(2); }
+namespace {
+
+/// Names of files need not be UTF-8, which JSON must be.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string json_text(const EvaluationReport& report) { return text_of(json_of(report)); }
 
 std::string json_text(const Dataset& data, const OdometryBenchmark& benchmark) {
-  return json_of(data, benchmark).dump(2);
+  return text_of(json_of(data, benchmark));
 }
 
 std::string json_text(const FramePair& pair, const FrameRegistration& registration) {
-  return json_of(pair, registration).dump(2);
+  return text_of(json_of(pair, registration));
 }
 
-std::string json_text(const RunReport& report) { return json_of(report).dump(2); }
+std::string json_text(const RunReport& report) { return text_of(json_of(report)); }
 
 }  // namespace cvo_slam

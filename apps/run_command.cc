@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <csignal>
 #include <ctime>
 #include <exception>
 #include <filesystem>
@@ -37,6 +38,7 @@ struct RunArguments {
   bool json = false;
   bool dump_config = false;
   bool no_map = false;
+  bool overwrite = false;
   LoopPictures loop_pictures = LoopPictures::kAccepted;
 };
 
@@ -60,14 +62,6 @@ std::filesystem::path default_folder(const std::string& sequence) {
   if (std::filesystem::is_symlink(link, ignored)) std::filesystem::remove(link, ignored);
   std::filesystem::create_directory_symlink(folder.filename(), link, ignored);
   return folder;
-}
-
-/// Makes the folder, removes the files of an earlier run from it, and proves that it can be written
-/// to before hours of work go into the run.
-void prepare_folder(const std::filesystem::path& folder) {
-  make_folder(folder);
-  remove_run(folder);
-  write_tum(folder / "trajectory.txt", {});
 }
 
 void print_result(const RunArguments& arguments, const RunReport& report,
@@ -113,7 +107,8 @@ int run(const RunArguments& arguments) {
   const auto data = arguments.tracking.open();
   const FrameRange range = arguments.tracking.range(data->size());
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
-  prepare_folder(folder);
+  prepare_folder(folder, arguments.overwrite);
+  write_tum(folder / "trajectory.txt", {});  // proves that it can, before hours of work
 
   RunReport report{*data, range,        options,       arguments.mode,         {}, std::nullopt, {},
                    {},    std::nullopt, data->notes(), arguments.loop_pictures};
@@ -130,8 +125,16 @@ int run(const RunArguments& arguments) {
   report.map = make_run_map(report.run, report.graph, report.trajectory, data->camera(),
                             options.map, options.slam.tracker.threads);
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
+  if (const auto warning = agreement_warning(*data, report.trajectory)) {
+    report.notes.push_back(*warning);
+  }
   deliver(arguments, report, folder);
-  if (report.run.interrupted) return kInterrupted;
+  if (report.run.signal != 0) return report.run.signal == SIGTERM ? kTerminated : kInterrupted;
+  if (report.run.unusable) {
+    throw InputError(data->name(),
+                     fmt::format("none of the first {} frames can be used: {}",
+                                 report.run.records.size(), report.run.records.front().reason));
+  }
   return report.lost_share() > arguments.max_lost ? kTrackingLost : kDone;
 }
 
@@ -169,6 +172,9 @@ void add_run_command(CLI::App& app, Action& action) {
        {"all", LoopPictures::kAll}},
       "none, accepted or all: the loop candidates whose images are drawn into the folder loops "
       "(default accepted)");
+  command.add("--overwrite", &arguments->overwrite,
+              "Write into a folder that has other files, too: those with the names of a run's are "
+              "replaced");
   command.add("--quiet", &arguments->quiet, "Show no progress and no table");
   command.add("--json", &arguments->json, "Print the report as JSON instead of the table");
   command.on_parsed(action, [arguments] { return run(*arguments); });

@@ -37,6 +37,9 @@ constexpr std::array kFiles = {
     RunFile{"config.yaml", "the options of this run, for --config"},
 };
 
+/// Tells the folder of a run from one with files of the same names.
+constexpr const char* kMark = ".cvo_slam_run";
+
 /// Returns the poses that track() returned at the time, of all submaps.
 Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
   Trajectory trajectory;
@@ -59,6 +62,18 @@ std::vector<NamedFigure> figures_of(const RunReport& report) {
 }  // namespace
 
 std::span<const RunFile> run_files() { return kFiles; }
+
+void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
+  make_folder(folder);
+  const auto mark = folder / kMark;
+  if (!overwrite && !std::filesystem::is_empty(folder) && !std::filesystem::exists(mark)) {
+    throw OutputError(folder,
+                      "has files that are not those of a run; choose another folder, or "
+                      "give --overwrite to replace files of the names that a run writes");
+  }
+  write_file(mark, "This folder belongs to a run of cvo_slam; the next one replaces its files.\n");
+  remove_run(folder);
+}
 
 void remove_run(const std::filesystem::path& folder) {
   for (const RunFile& run_file : kFiles) {

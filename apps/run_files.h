@@ -18,8 +18,13 @@ struct RunFile {
 /// All files of a run except the pictures of loops (loop_pictures.h).
 [[nodiscard]] std::span<const RunFile> run_files();
 
-/// Removes the files that an earlier run left in `folder`, so that none is taken for a file of the
-/// next run; other files stay. Throws OutputError.
+/// Makes `folder` if it does not exist, marks it as the folder of a run, and removes the files that
+/// an earlier run left in it, so that none is taken for a file of the next run; other files stay.
+/// Throws OutputError if the folder has files and no mark, because files of these names may be the
+/// user's: `overwrite` takes it all the same.
+void prepare_folder(const std::filesystem::path& folder, bool overwrite);
+
+/// Does the last of these.
 void remove_run(const std::filesystem::path& folder);
 
 /// Writes every file of a run into `folder`, which exists. Adds to the report's notes what a

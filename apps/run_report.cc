@@ -62,6 +62,8 @@ std::string to_table(const RunReport& report) {
   const OdometryRun& run = report.run;
   std::string table =
       fmt::format("{:<12} {} ({})\n", "sequence", report.data.name(), report.data.kind());
+  table += fmt::format("{:<12} {}: {}\n", "camera", report.data.camera().name,
+                       report.data.camera_origin());
   if (report.evaluation) table += error_rows(*report.evaluation);
   table += fmt::format("{:<12} {:.2f} m\n", "path", path_length(report.trajectory.poses));
   table += fmt::format("{:<12} {:.1f} fps; read {:.1f} ms, track {:.1f} ms a frame (median)\n",
@@ -69,6 +71,10 @@ std::string to_table(const RunReport& report) {
                        median_cost(run, &FrameCost::track_ms));
   table += fmt::format("{:<12} {:.1f} % ({} of {} frames)\n", "lost", 100 * report.lost_share(),
                        report.trajectory.lost.size(), run.records.size());
+  if (!report.trajectory.lost.empty()) {
+    const LostFrame& first = report.trajectory.lost.front();
+    table += fmt::format("{:<12} at {}: {}\n", "first lost", first.stamp.to_string(), first.reason);
+  }
   table += fmt::format("{:<12} {}\n", "keyframes", run.keyframes());
   if (report.graph) table += to_table(*report.graph);
   if (report.map.has_points) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <ctime>
 
@@ -12,12 +13,18 @@
 
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/camera_check.h"
 #include "cvo_slam/io/dataset.h"
 
 namespace cvo_slam {
 namespace {
 
-volatile std::sig_atomic_t interrupt_requested = 0;
+volatile std::sig_atomic_t signal_received = 0;
+
+void receive(int signal) {
+  signal_received = signal;
+  std::signal(signal, SIG_DFL);
+}
 
 using Clock = std::chrono::steady_clock;
 
@@ -40,9 +47,12 @@ OdometryRun run_frames(const Dataset& data, const FrameRange& range,
   const auto start = Clock::now();
   const double cpu_start = process_cpu_seconds();
   FramePrefetcher frames(data, range.begin, range.end, range.step);
-  while (!frames.done() && !InterruptGuard::requested()) {
+  constexpr std::size_t kFirstFrames = 10;  // of which one at least has images, or none ever has
+  std::size_t problems = 0;
+  while (!frames.done() && !InterruptGuard::requested() && !run.unusable) {
     const auto wait_start = Clock::now();
     const RgbdFrame frame = frames.next();
+    problems += frame.problem.empty() ? 0 : 1;
     const auto track_start = Clock::now();
     run.costs.push_back(
         {std::chrono::duration<double, std::milli>(track_start - wait_start).count(), 0});
@@ -53,11 +63,13 @@ OdometryRun run_frames(const Dataset& data, const FrameRange& range,
     }
     progress.update(run.records.size(),
                     run.records.back().status == TrackingStatus::kTracked ? "tracked" : "lost");
+    run.unusable =
+        problems == run.records.size() && problems == std::min(kFirstFrames, range.size());
   }
   finish();
   run.seconds = milliseconds_since(start) / 1e3;
   run.cpu_seconds = process_cpu_seconds() - cpu_start;
-  run.interrupted = InterruptGuard::requested();
+  run.signal = InterruptGuard::signal();
   run.peak_memory_mb = peak_memory_mb();
   return run;
 }
@@ -65,16 +77,17 @@ OdometryRun run_frames(const Dataset& data, const FrameRange& range,
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
-  interrupt_requested = 0;
-  previous_ = std::signal(SIGINT, [](int) {
-    interrupt_requested = 1;
-    std::signal(SIGINT, SIG_DFL);
-  });
+  signal_received = 0;
+  previous_interrupt_ = std::signal(SIGINT, receive);
+  previous_termination_ = std::signal(SIGTERM, receive);
 }
 
-InterruptGuard::~InterruptGuard() { std::signal(SIGINT, previous_); }
+InterruptGuard::~InterruptGuard() {
+  std::signal(SIGINT, previous_interrupt_);
+  std::signal(SIGTERM, previous_termination_);
+}
 
-bool InterruptGuard::requested() { return interrupt_requested != 0; }
+int InterruptGuard::signal() { return signal_received; }
 
 double process_cpu_seconds() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
@@ -98,6 +111,45 @@ OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
       control);
 }
 
+namespace {
+
+/// Returns a warning if the estimate is of another size than the reference, as it is if depth is
+/// read with a wrong scale.
+std::optional<std::string> scale_warning(const EvaluationReport& report, const Dataset& data,
+                                         const Trajectory& trajectory) {
+  constexpr std::size_t kFewest = 20;  // poses
+  constexpr double kUnusual = 0.15;    // a trajectory that drifts is seldom so much off
+  if (report.matches < kFewest) return std::nullopt;
+  try {
+    const auto matches = associate(data.reference(), trajectory.poses, report.options.association);
+    const double scale = absolute_trajectory_error(matches, Alignment::kSim3).alignment.scale;
+    if (std::fabs(std::log(scale)) < std::log1p(kUnusual)) return std::nullopt;
+    return fmt::format(
+        "warning: the ground truth is {:.2f} times as large as the estimate; is the "
+        "camera's depth_scale {} right?",
+        scale, data.camera().depth_scale);
+  } catch (const DataError&) {  // no scale: positions on a line, or all the same
+    return std::nullopt;
+  }
+}
+
+void add_note(const std::optional<std::string>& note, std::vector<std::string>& notes) {
+  if (note) notes.push_back(*note);
+}
+
+}  // namespace
+
+std::optional<std::string> agreement_warning(const Dataset& data, const Trajectory& trajectory) {
+  const bool has_reference = data.reference().size() > 1;
+  const auto agreement =
+      measure_reprojection(data, has_reference ? data.reference() : trajectory.poses);
+  if (!agreement) return std::nullopt;
+  const auto warning =
+      reprojection_warning(*agreement, has_reference ? "the ground truth" : "the estimate");
+  if (!warning) return std::nullopt;
+  return "warning: " + *warning;
+}
+
 std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajectory& trajectory,
                                              std::vector<std::string>& notes) {
   if (data.reference().empty()) {
@@ -105,7 +157,9 @@ std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajecto
     return std::nullopt;
   }
   try {
-    return evaluate(data.reference(), trajectory.poses);
+    EvaluationReport report = evaluate(data.reference(), trajectory.poses);
+    add_note(scale_warning(report, data, trajectory), notes);
+    return report;
   } catch (const DataError& error) {
     notes.push_back(fmt::format("no errors: {}", error.what()));
     return std::nullopt;

@@ -23,8 +23,8 @@
 
 namespace cvo_slam {
 
-/// Catches SIGINT for as long as it lives, so that a run can end early and still write what there
-/// is. A second SIGINT ends the program at once. There may be one guard at a time.
+/// Catches SIGINT and SIGTERM for as long as it lives, so that a run can end early and still write
+/// what there is. A second such signal ends the program at once. There may be one guard at a time.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -32,11 +32,13 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  /// True if SIGINT arrived.
-  [[nodiscard]] static bool requested();
+  /// The signal that arrived; 0 if none did.
+  [[nodiscard]] static int signal();
+  [[nodiscard]] static bool requested() { return signal() != 0; }
 
  private:
-  void (*previous_)(int);
+  void (*previous_interrupt_)(int);
+  void (*previous_termination_)(int);
 };
 
 /// Wall time of one frame.
@@ -64,7 +66,9 @@ struct OdometryRun {
   double seconds = 0;         ///< wall time of all frames, and of the work after the last one
   double cpu_seconds = 0;     ///< CPU time of the process meanwhile
   double peak_memory_mb = 0;  ///< peak memory of the process so far
-  bool interrupted = false;
+  int signal = 0;             ///< that ended the run early (SIGINT, SIGTERM); 0 if none did
+  /// True if the run ended after its first frames because none of their images could be used.
+  bool unusable = false;
 
   [[nodiscard]] std::size_t keyframes() const;
   [[nodiscard]] double fps() const;
@@ -86,7 +90,8 @@ struct SlamRun {
 };
 
 /// Runs the frames of a range through the tracker alone. Ends early, with what there is, if the
-/// user interrupts (SIGINT) while an InterruptGuard lives.
+/// user interrupts (SIGINT, SIGTERM) while an InterruptGuard lives, and if none of the first ten
+/// frames has images that can be used.
 [[nodiscard]] OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
                                        const TrackerOptions& options, const RunControl& control);
 
@@ -96,6 +101,11 @@ struct SlamRun {
                                const ProgramOptions& options,
                                const std::shared_ptr<const Vocabulary>& vocabulary,
                                const RunControl& control);
+
+/// Returns a warning if a few frames re-project badly into each other by the reference, or by the
+/// estimate if there is none.
+[[nodiscard]] std::optional<std::string> agreement_warning(const Dataset& data,
+                                                           const Trajectory& trajectory);
 
 /// Returns the errors against the sequence's reference; nothing if there is no reference or nothing
 /// to compare, with a line in `notes` that says why.

@@ -40,20 +40,33 @@ void OptionArguments::add_to(Command& command) {
       .show_default();
 }
 
-void TrackingArguments::add_to(Command& command) {
+void DatasetArguments::add_to(Command& command) {
   command.add("dataset", &dataset, "Folder of a sequence: " + dataset_formats());
   command.add("--camera", &camera,
               "Camera file, or name of a built-in camera (default: the camera of the sequence)");
+  command.add("--associations", &associations,
+              "File of lines 'stamp file stamp file' that pairs the images, paths relative to the "
+              "folder of the sequence");
+  command.add("--max-diff", &options.max_stamp_difference,
+              "Largest difference between the stamps of a colour and a depth image that make a "
+              "frame [s] (default 0.02)");
+  command.add("--depth-offset", &options.depth_offset,
+              "Time to add to the stamps of the depth images [s] (default 0)");
+}
+
+std::unique_ptr<Dataset> DatasetArguments::open() const {
+  if (dataset.empty()) throw OptionError("no dataset given: name the folder of a sequence");
+  DatasetOptions chosen = options;
+  if (!camera.empty()) chosen.camera = find_camera(camera);
+  if (!associations.empty()) chosen.associations = associations;
+  return open_dataset(dataset, chosen);
+}
+
+void TrackingArguments::add_to(Command& command) {
+  sequence.add_to(command);
   command.add("--frames", &frames,
               "Only frames a to b-1, as a:b, a: or :b; every n-th of them as a:b:n");
   OptionArguments::add_to(command);
-}
-
-std::unique_ptr<Dataset> TrackingArguments::open() const {
-  if (dataset.empty()) throw OptionError("no dataset given: name the folder of a sequence");
-  DatasetOptions dataset_options;
-  if (!camera.empty()) dataset_options.camera = find_camera(camera);
-  return open_dataset(dataset, dataset_options);
 }
 
 ProgramOptions OptionArguments::options() const {

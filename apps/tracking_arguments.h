@@ -46,17 +46,29 @@ struct OptionArguments {
   [[nodiscard]] ProgramOptions options() const;
 };
 
+/// The arguments that say which sequence is read, and how.
+struct DatasetArguments {
+  std::filesystem::path dataset;
+  std::string camera;                  ///< file or built-in name; empty = the one of the sequence
+  std::filesystem::path associations;  ///< empty = those of the sequence
+  DatasetOptions options;
+
+  /// Declares them on a subcommand. The folder is the first positional argument.
+  void add_to(Command& command);
+
+  /// Opens the sequence. Throws InputError if that fails.
+  [[nodiscard]] std::unique_ptr<Dataset> open() const;
+};
+
 /// The arguments that `run` and `bench` share: which frames of which sequence, with which options.
 struct TrackingArguments : OptionArguments {
-  std::filesystem::path dataset;
-  std::string camera;  ///< file or built-in name; empty = the one of the sequence
+  DatasetArguments sequence;
   std::string frames;  ///< "a:b", "a:", ":b" or "a:b:step"; empty = all
 
   /// Declares the options on a subcommand.
   void add_to(Command& command);
 
-  /// Opens the sequence. Throws InputError if that fails.
-  [[nodiscard]] std::unique_ptr<Dataset> open() const;
+  [[nodiscard]] std::unique_ptr<Dataset> open() const { return sequence.open(); }
   /// Returns the frames to use of a sequence of `size` frames. Throws OptionError.
   [[nodiscard]] FrameRange range(std::size_t size) const { return parse_frames(frames, size); }
 };

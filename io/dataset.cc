@@ -3,15 +3,16 @@
 #include "cvo_slam/io/dataset.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <future>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/io/camera_file.h"
+#include "cvo_slam/io/camera_check.h"
+#include "cvo_slam/io/dataset/camera_choice_internal.h"
 #include "cvo_slam/io/dataset/formats_internal.h"
 #include "cvo_slam/io/image_files_internal.h"
 
@@ -20,32 +21,10 @@ namespace {
 
 using Path = std::filesystem::path;
 
-struct ChosenCamera {
-  Camera camera;
-  std::string origin;
-};
+constexpr double kMostSeconds = 1e6;  // what nanoseconds in 64 bits can add to any stamp
 
-/// Returns the camera that the options give, else the one of a camera file in the folder, else the
-/// one that the format suggests. Throws InputError if there is none.
-ChosenCamera choose_camera(const Path& folder, const std::optional<Camera>& given,
-                           const DatasetFormat& format) {
-  if (given) {
-    given->check();
-    return {*given, "given by the caller"};
-  }
-  const Path file = folder / "camera.yaml";
-  if (std::filesystem::exists(file)) {
-    return {read_camera(file), "camera.yaml in the folder of the sequence"};
-  }
-  if (const auto suggested = format.suggest_camera(folder)) {
-    return {builtin_camera(suggested->name), suggested->reason};
-  }
-  throw InputError(folder, fmt::format("the camera of this sequence is not known; give --camera (a "
-                                       "YAML file, or one of {}) or put a camera.yaml into it",
-                                       fmt::join(builtin_camera_names(), ", ")));
-}
-
-const DatasetFormat& recognise_format(const Path& folder) {
+const DatasetFormat& recognise_format(const Path& folder, const DatasetOptions& options) {
+  if (options.associations) return kTumFormat;  // its folder needs no list
   const auto formats = all_dataset_formats();
   const auto found = std::find_if(formats.begin(), formats.end(), [&](const DatasetFormat* format) {
     return format->recognise(folder);
@@ -66,6 +45,10 @@ class SequenceDataset final : public Dataset {
         camera_(std::move(camera)),
         sequence_(std::move(sequence)),
         reader_(camera_.camera, sequence_.invalid_depth) {
+    sequence_.reference = reference_of(sequence_, camera_.camera);
+    for (const std::string& warning : camera_warnings(camera_.camera)) {
+      sequence_.notes.push_back("warning: " + warning);
+    }
     const auto& [color, depth] = sequence_.unpaired;
     if (color + depth == 0) return;
     sequence_.notes.push_back(fmt::format(
@@ -120,12 +103,16 @@ std::unique_ptr<Dataset> open_dataset(const Path& folder, const DatasetOptions& 
   if (!std::filesystem::is_directory(folder)) {
     throw InputError(folder, "is not a folder; give the folder of a sequence");
   }
-  if (!(options.max_stamp_difference >= 0)) {
-    throw OptionError("max_stamp_difference must be 0 or more seconds");
+  if (!(options.max_stamp_difference >= 0 && options.max_stamp_difference <= kMostSeconds)) {
+    throw OptionError("max_stamp_difference must be from 0 to a million seconds");
   }
-  const DatasetFormat& format = recognise_format(folder);
-  ChosenCamera camera = choose_camera(folder, options.camera, format);
-  Sequence sequence = format.open(folder, camera.camera, options.max_stamp_difference);
+  if (!(std::fabs(options.depth_offset) <= kMostSeconds)) {
+    throw OptionError("depth_offset must be at most a million seconds");
+  }
+  const DatasetFormat& format = recognise_format(folder, options);
+  Sequence sequence = format.open(
+      folder, {options.associations, options.max_stamp_difference, options.depth_offset});
+  ChosenCamera camera = choose_camera(folder, options.camera, format, sequence);
   return std::make_unique<SequenceDataset>(folder, format, std::move(camera), std::move(sequence));
 }
 
@@ -142,7 +129,7 @@ class FramePrefetcher::Queue {
     if (next_ >= end_) return;
     frames_.push_back(
         std::async(std::launch::async, [this, index = next_] { return data_.read(index); }));
-    next_ += step_;
+    next_ = step_ < end_ - next_ ? next_ + step_ : end_;
   }
 
   std::future<RgbdFrame> pop() {

@@ -16,12 +16,19 @@
 namespace cvo_slam {
 
 struct DatasetOptions {
-  /// The camera to use. Empty: camera.yaml in the sequence's folder, else the built-in camera that
-  /// its name or layout suggests.
+  /// The camera to use. Empty: the camera file that the recording brings (camera.yaml, or another
+  /// YAML file that read_camera() reads), else the built-in camera that a file of the recording
+  /// names or that its images single out.
   std::optional<Camera> camera;
   /// Largest difference between the stamps of a colour and a depth image that make a frame [s].
   /// Cameras run at 30 Hz: at more than half of 33 ms, an image may be nearer to another partner.
   double max_stamp_difference = 0.02;
+  /// A file of lines "stamp file stamp file" that pairs colour and depth images, in place of the
+  /// sequence's own; its paths are relative to the folder of the sequence.
+  std::optional<std::filesystem::path> associations;
+  /// Time added to the stamps of the depth images before anything else [s], for recordings whose
+  /// depth clock is off; at most a million.
+  double depth_offset = 0;
 };
 
 /// Numbers of images that have no partner and therefore are in no frame.
@@ -37,11 +44,11 @@ class Dataset {
 
   /// Name of the sequence: the name of its folder.
   [[nodiscard]] virtual const std::string& name() const = 0;
-  /// Name of the format that the folder was recognised as: "TUM RGB-D", "ICL-NUIM", "7-Scenes".
+  /// Name of the format that the folder was recognised as: "TUM RGB-D", "7-Scenes".
   [[nodiscard]] virtual const std::string& kind() const = 0;
   [[nodiscard]] virtual const Camera& camera() const = 0;
   /// Why this camera is used, for people: "given by the caller", "camera.yaml in the folder of the
-  /// sequence", "the sequence is called 'fr1_desk'", ...
+  /// sequence", "the recording is called 'rgbd_dataset_freiburg1_desk.bag'", ...
   [[nodiscard]] virtual const std::string& camera_origin() const = 0;
   /// Number of frames: pairs of a colour and a depth image, in ascending order of time.
   [[nodiscard]] virtual std::size_t size() const = 0;

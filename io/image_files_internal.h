@@ -25,14 +25,20 @@ class FrameReader {
   /// no valid pixel. May be called from several threads.
   [[nodiscard]] RgbdFrame read(const std::filesystem::path& color,
                                const std::filesystem::path& depth) const;
+  /// The steps of read(): the colour image; depth as it is in the file, without values that mean
+  /// "no measurement"; and the same, registered to colour.
+  [[nodiscard]] cv::Mat read_color(const std::filesystem::path& file) const;
+  [[nodiscard]] cv::Mat read_raw_depth(const std::filesystem::path& file) const;
+  [[nodiscard]] cv::Mat register_depth(const cv::Mat& raw) const;
 
  private:
-  [[nodiscard]] cv::Mat read_depth(const std::filesystem::path& file) const;
-
   Camera camera_;
   std::uint16_t invalid_depth_;
   std::optional<DepthRegistration> registration_;
 };
+
+/// Returns the size of an image without decoding it. Throws InputError.
+cv::Size read_image_size(const std::filesystem::path& file);
 
 /// Returns true if the file can be read as an image of one channel with 16 bits.
 bool is_depth_image(const std::filesystem::path& file);

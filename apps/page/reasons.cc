@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <regex>
 #include <tuple>
 #include <utility>
 
@@ -28,8 +27,28 @@ bool extend(std::vector<LostSpan>& spans, std::size_t frame, const LostFrame& lo
 }  // namespace
 
 std::string without_figures(std::string_view reason) {
-  static const std::regex figures(R"(-?\d+(\.\d+)*(e-?\d+)?)");
-  return std::regex_replace(std::string(reason), figures, "\xE2\x80\xA6");  // "…"
+  constexpr std::string_view kDigits = "0123456789";
+  std::string text;
+  for (std::size_t i = 0; i < reason.size();) {
+    const std::size_t first = reason[i] == '-' ? i + 1 : i;
+    std::size_t end = std::min(reason.find_first_not_of(kDigits, first), reason.size());
+    if (end == first) {
+      text += reason[i++];
+      continue;
+    }
+    // A point or an exponent belongs to the number if a digit follows.
+    for (const std::string_view mark : {".", "e-", "e"}) {
+      while (reason.substr(end).starts_with(mark)) {
+        const std::size_t digits = end + mark.size();
+        const std::size_t next = std::min(reason.find_first_not_of(kDigits, digits), reason.size());
+        if (next == digits) break;
+        end = next;
+      }
+    }
+    text += "\xE2\x80\xA6";  // "…"
+    i = end;
+  }
+  return text;
 }
 
 std::vector<LostSpan> lost_spans(const std::vector<FrameRecord>& records,
@@ -43,7 +62,7 @@ std::vector<LostSpan> lost_spans(const std::vector<FrameRecord>& records,
       continue;
     }
     if (!goes_on || !extend(spans, record.index, *next)) {
-      spans.push_back({record.index, record.index, record.stamp, 1, next->reason});
+      spans.push_back({record.index, record.index, record.stamp, 1, next->reason, next->reason});
     }
     goes_on = true;
     ++next;

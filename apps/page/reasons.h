@@ -24,6 +24,7 @@ struct LostSpan {
   Timestamp stamp;        ///< stamp of the first frame
   std::size_t count = 0;  ///< number of frames; fewer than last - first + 1 if a run skips frames
   std::string reason;     ///< the common reason, without its figures if they differ
+  std::string first_reason;  ///< that of the first frame, with its figures
 };
 
 /// Groups the lost frames of a trajectory, in the order of the records, which include them all.

@@ -120,10 +120,10 @@ std::string frames_text(const LostSpan& span) {
 std::string lost_table(const RunReport& report) {
   const auto spans = lost_spans(report.run.records, report.trajectory.lost);
   if (spans.empty()) return html::paragraph("No frame was lost.");
-  html::Table table({{"frames"}, {"from [s]"}, {"number", Cell::kNumber}, {"reason"}});
+  html::Table table({{"frames"}, {"from [s]"}, {"number", Cell::kNumber}, {"reason of the first"}});
   for (std::size_t i = 0; i < std::min(spans.size(), kMostRows); ++i) {
     table.add({frames_text(spans[i]), spans[i].stamp.to_string(), fmt::to_string(spans[i].count),
-               spans[i].reason});
+               spans[i].first_reason});
   }
   std::string content = html::element("h3", "Lost frames") + table.content();
   if (spans.size() > kMostRows) {

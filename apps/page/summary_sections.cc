@@ -96,7 +96,7 @@ std::string notes_section(const RunReport& report) {
   if (report.evaluation) {
     notes.insert(notes.end(), report.evaluation->notes.begin(), report.evaluation->notes.end());
   }
-  if (report.run.interrupted) notes.insert(notes.begin(), "interrupted: results until then");
+  if (report.run.signal != 0) notes.insert(notes.begin(), "interrupted: results until then");
   if (notes.empty()) return {};
   std::string items;
   for (const std::string& note : notes) items += html::element("li", html::escaped(note));

@@ -9,9 +9,7 @@
 namespace cvo_slam {
 namespace {
 
-/// ICL-NUIM stands before TUM RGB-D because its layout is a special case of that one.
 constexpr std::array kFormats = {
-    &kIclNuimFormat,
     &kTumFormat,
     &kSevenScenesFormat,
 };

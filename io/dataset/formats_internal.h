@@ -30,9 +30,20 @@ struct Sequence {
   std::vector<FrameFiles> frames;
   UnpairedImages unpaired;
   std::vector<StampedPose> reference;
+  /// True if the reference has the poses of the depth camera, false if those of the colour camera.
+  bool reference_is_of_depth = false;
   std::vector<std::string> notes;
   /// A depth value that means "no measurement", as 0 always does.
   std::uint16_t invalid_depth = 0;
+};
+
+/// How the images of a sequence are paired to frames.
+struct PairingOptions {
+  /// A file of pairs to use in place of the sequence's own; its paths are relative to the folder of
+  /// the sequence.
+  std::optional<std::filesystem::path> associations;
+  double max_stamp_difference = 0.02;  ///< [s], if there is no list of pairs
+  double depth_offset = 0;             ///< added to the stamps of depth images first [s]
 };
 
 /// A built-in camera, and why a sequence is taken to be recorded with it.
@@ -49,15 +60,14 @@ struct DatasetFormat {
   std::string_view layout;  ///< the files it is recognised by, for help texts and errors
   /// Returns true if a folder has this layout.
   bool (*recognise)(const std::filesystem::path& folder);
-  /// Returns the camera of a sequence that comes without a camera file; empty if it is not known.
-  std::optional<SuggestedCamera> (*suggest_camera)(const std::filesystem::path& folder);
-  /// Opens a folder of this layout. Images of a frame differ by at most `max_stamp_difference` [s]
-  /// if the format has no list of pairs. Throws InputError.
-  Sequence (*open)(const std::filesystem::path& folder, const Camera& camera,
-                   double max_stamp_difference);
+  /// Returns the built-in camera that a file of the recording names; empty if none does. A null
+  /// pointer if no file of this format does.
+  std::optional<SuggestedCamera> (*named_camera)(const std::filesystem::path& folder);
+  /// Opens a folder of this layout. Throws InputError, OptionError for an option that the layout
+  /// has no use for.
+  Sequence (*open)(const std::filesystem::path& folder, const PairingOptions& options);
 };
 
-extern const DatasetFormat kIclNuimFormat;
 extern const DatasetFormat kSevenScenesFormat;
 extern const DatasetFormat kTumFormat;
 

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
-#include <regex>
+#include <sstream>
+#include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -39,11 +40,87 @@ std::vector<Candidate> find_candidates(const std::vector<Timestamp>& a,
   return candidates;
 }
 
-void check_words(const TextLine& line, std::size_t count, const std::string& expected,
-                 const Path& list) {
-  if (line.words.size() == count) return;
-  throw InputError(list, line.number,
-                   fmt::format("expected '{}', found {} words", expected, line.words.size()));
+/// An entry of a list: an image and its stamp.
+struct ListedImage {
+  Timestamp stamp;
+  Path file;  // as it stands in the list
+};
+
+bool has_image_extension(std::string_view name) {
+  constexpr std::string_view kExtensions[] = {".png", ".jpg",  ".jpeg", ".pgm",  ".ppm",
+                                              ".tif", ".tiff", ".bmp",  ".webp", ".exr"};
+  const std::string lower = to_lower(std::string(name));
+  return std::any_of(std::begin(kExtensions), std::end(kExtensions),
+                     [&](std::string_view extension) { return lower.ends_with(extension); });
+}
+
+/// Reads stamps and names of images from the words of a line, as many as there are: a name goes on
+/// until a word with the extension of an image, for names with blanks; an image without a stamp of
+/// its own has that of the one before. `used` counts the words.
+std::vector<ListedImage> parse_images(const TextLine& line, std::size_t& used) {
+  std::vector<ListedImage> images;
+  const std::vector<std::string>& words = line.words;
+  for (std::size_t i = 0; i < words.size();) {
+    const auto stamp = Timestamp::parse(words[i]);
+    if (!stamp && images.empty()) break;
+    std::size_t last = stamp ? i + 1 : i;
+    std::string name;
+    while (last < words.size()) {
+      name += (name.empty() ? "" : " ") + words[last];
+      if (has_image_extension(words[last])) break;
+      ++last;
+    }
+    if (last >= words.size()) break;
+    images.push_back({stamp.value_or(images.empty() ? Timestamp() : images.back().stamp), name});
+    used = i = last + 1;
+  }
+  return images;
+}
+
+/// Returns the `count` images of a line "stamp file ...". What stands behind them is left out, with
+/// a line in `notes` for the first such line.
+std::vector<ListedImage> read_images(const TextLine& line, std::size_t count, const Path& list,
+                                     std::vector<std::string>& notes) {
+  std::size_t used = 0;
+  std::vector<ListedImage> images = parse_images(line, used);
+  if (images.empty() && line.words.size() == 2 * count) {  // names without an extension
+    for (std::size_t i = 0; i < count; ++i) {
+      images.push_back({parse_stamp(line, 2 * i, list), line.words[2 * i + 1]});
+    }
+    used = line.words.size();
+  }
+  if (images.size() != count) {
+    throw InputError(
+        list, line.number,
+        fmt::format("expected '{}', found {} words",
+                    count == 1 ? "stamp file" : "stamp file stamp file", line.words.size()));
+  }
+  const std::string note = fmt::format("{}: columns behind the names of the images are left out",
+                                       list.filename().string());
+  if (used < line.words.size() && std::find(notes.begin(), notes.end(), note) == notes.end()) {
+    notes.push_back(note);
+  }
+  return images;
+}
+
+/// Returns the lines of a list without a heading such as "timestamp filename".
+std::vector<TextLine> read_list_lines(const Path& list) {
+  std::vector<TextLine> lines = read_word_lines(list);
+  if (!lines.empty()) {
+    const auto& words = lines.front().words;
+    const bool is_heading = std::none_of(words.begin(), words.end(), [](const std::string& word) {
+      return word.find_first_of("0123456789") != std::string::npos || has_image_extension(word);
+    });
+    if (is_heading) lines.erase(lines.begin());
+  }
+  if (lines.empty()) throw InputError(list, "lists no image; it needs lines 'stamp file'");
+  return lines;
+}
+
+/// Returns true if a path leads out of the folder.
+bool leads_outside(const Path& file, const Path& folder) {
+  const Path relative = file.lexically_normal().lexically_relative(folder.lexically_normal());
+  return relative.empty() || *relative.begin() == "..";
 }
 
 /// Returns true if the words of a path say that the image is a depth image, false if they say that
@@ -57,15 +134,16 @@ std::optional<bool> names_depth(const std::string& path) {
   return depth;
 }
 
-bool is_depth_first(const TextLine& line, const Path& list) {
-  if (const auto first = names_depth(line.words[1])) return *first;
-  if (const auto second = names_depth(line.words[3])) return !*second;
-  const Path folder = list.parent_path();
-  const bool first = is_depth_image(folder / line.words[1]);
-  if (first != is_depth_image(folder / line.words[3])) return first;
-  throw InputError(list, line.number,
+/// Returns whether the first image of a pair is the depth image.
+bool is_depth_first(const std::vector<ListedImage>& pair, const Path& folder, const Path& list,
+                    long line) {
+  if (const auto first = names_depth(pair[0].file.string())) return *first;
+  if (const auto second = names_depth(pair[1].file.string())) return !*second;
+  const bool first = is_depth_image(folder / pair[0].file);
+  if (first != is_depth_image(folder / pair[1].file)) return first;
+  throw InputError(list, line,
                    "cannot tell the depth image: the names of the two files do not say it, and "
-                   "not exactly one of them is a 16-bit image");
+                   "not exactly one of them is a 16-bit image; name them rgb and depth");
 }
 
 struct StampedFile {
@@ -76,44 +154,68 @@ struct StampedFile {
 /// Reads lines "stamp file" in ascending order of stamps; paths are relative to the list's folder.
 std::vector<StampedFile> read_image_list(const Path& list, std::vector<std::string>& notes) {
   std::vector<StampedFile> images;
-  for (const auto& line : read_word_lines(list)) {
-    check_words(line, 2, "stamp file", list);
-    images.push_back({parse_stamp(line, 0, list), list.parent_path() / line.words[1]});
+  for (const auto& line : read_list_lines(list)) {
+    const ListedImage image = read_images(line, 1, list, notes).front();
+    images.push_back({image.stamp, list.parent_path() / image.file});
   }
-  if (images.empty()) throw InputError(list, "lists no image");
   repair_stamp_order(images, list.filename().string(), notes);
   return images;
 }
 
-std::vector<Timestamp> stamps_of(const std::vector<StampedFile>& images) {
+std::vector<Timestamp> image_stamps(const std::vector<StampedFile>& images) {
   std::vector<Timestamp> stamps;
   std::transform(images.begin(), images.end(), std::back_inserter(stamps),
                  [](const StampedFile& image) { return image.stamp; });
   return stamps;
 }
 
-Sequence open_listed_pairs(const Path& file) {
+Timestamp shifted(const Timestamp& stamp, double seconds) {
+  if (seconds == 0) return stamp;
+  return Timestamp(stamp.nanoseconds() + std::llround(seconds * 1e9), Timestamp::kMaxDecimals);
+}
+
+Sequence open_listed_pairs(const Path& list, const Path& folder, double depth_offset) {
   Sequence sequence;
-  sequence.frames = read_association_list(file, sequence.notes).frames;
-  sequence.notes.push_back(fmt::format("frames are paired by {}", file.filename().string()));
+  sequence.frames = read_association_list(list, folder, sequence.notes);
+  sequence.notes.push_back(
+      fmt::format("frames are paired by {}{}", list.filename().string(),
+                  depth_offset == 0 ? "" : "; the depth offset changes their stamps and no pair"));
+  for (FrameFiles& frame : sequence.frames) {
+    frame.depth_stamp = shifted(frame.depth_stamp, depth_offset);
+  }
   return sequence;
 }
 
-Sequence open_two_lists(const Path& folder, double max_difference) {
+Sequence open_two_lists(const Path& folder, const PairingOptions& options) {
   Sequence sequence;
   const auto colors = read_image_list(folder / "rgb.txt", sequence.notes);
-  const auto depths = read_image_list(folder / "depth.txt", sequence.notes);
+  auto depths = read_image_list(folder / "depth.txt", sequence.notes);
+  for (StampedFile& depth : depths) depth.stamp = shifted(depth.stamp, options.depth_offset);
   for (const auto& [i, j] :
-       associate_stamps(stamps_of(colors), stamps_of(depths), max_difference)) {
+       associate_stamps(image_stamps(colors), image_stamps(depths), options.max_stamp_difference)) {
     sequence.frames.push_back({colors[i].stamp, depths[j].stamp, colors[i].file, depths[j].file});
   }
   if (sequence.frames.empty()) {
-    throw InputError(folder, fmt::format("no image of rgb.txt has one in depth.txt within {} s",
-                                         max_difference));
+    throw InputError(
+        folder, fmt::format("no image of rgb.txt has one in depth.txt within {} s (rgb.txt "
+                            "begins at {}, depth.txt at {}); give --max-diff or --depth-offset",
+                            options.max_stamp_difference, colors.front().stamp.to_string(),
+                            depths.front().stamp.to_string()));
   }
   sequence.unpaired = {colors.size() - sequence.frames.size(),
                        depths.size() - sequence.frames.size()};
   return sequence;
+}
+
+/// Adds a note if images lie outside of the folder of the sequence: they are read all the same.
+void note_images_outside(const Path& folder, Sequence& sequence) {
+  std::size_t outside = 0;
+  for (const FrameFiles& frame : sequence.frames) {
+    outside += leads_outside(frame.color, folder) || leads_outside(frame.depth, folder) ? 1 : 0;
+  }
+  if (outside == 0) return;
+  sequence.notes.push_back(fmt::format(
+      "warning: the images of {} frames lie outside of the folder of the sequence", outside));
 }
 
 /// Returns groundtruth.txt, or what ICL-NUIM has in its place, e.g. livingRoom2.gt.freiburg.
@@ -129,15 +231,34 @@ std::optional<Path> find_reference_file(const Path& folder) {
   return *std::min_element(found.begin(), found.end());
 }
 
-/// Returns the name of the recording, which TUM's rgb.txt has in a comment "# file: 'name.bag'";
-/// empty if there is none.
+/// Returns the name of the recording, which TUM's rgb.txt has in a comment among its first lines,
+/// "# file: 'name.bag'"; empty if there is none.
 std::string recording_name(const Path& folder) {
   const Path list = folder / "rgb.txt";
-  if (!std::filesystem::exists(list)) return {};
-  const std::string text = read_file(list);
-  static const std::regex kComment("^# *file: *'([^'\n]*)'", std::regex::multiline);
-  std::smatch match;
-  return std::regex_search(text, match, kComment) ? match[1].str() : std::string();
+  if (!std::filesystem::is_regular_file(list)) return {};
+  std::istringstream text(read_file(list));
+  for (std::string line; std::getline(text, line) && line.starts_with('#');) {
+    const std::size_t key = line.find("file:");
+    const std::size_t open = key == std::string::npos ? key : line.find('\'', key);
+    const std::size_t close = open == std::string::npos ? open : line.find('\'', open + 1);
+    if (close != std::string::npos) return line.substr(open + 1, close - open - 1);
+  }
+  return {};
+}
+
+/// Adds the poses of the reference, if there is a file of them that can be read.
+void add_reference(const Path& folder, Sequence& sequence) {
+  const auto file = find_reference_file(folder);
+  if (!file) {
+    sequence.notes.emplace_back("no ground truth (groundtruth.txt): errors cannot be measured");
+    return;
+  }
+  try {
+    sequence.reference = read_tum_in_any_order(*file, sequence.notes);
+  } catch (const InputError& error) {
+    sequence.notes.push_back(fmt::format(
+        "warning: the ground truth cannot be read, errors cannot be measured: {}", error.what()));
+  }
 }
 
 }  // namespace
@@ -165,22 +286,19 @@ std::optional<Path> find_association_file(const Path& folder) {
   return std::nullopt;
 }
 
-AssociationList read_association_list(const Path& list, std::vector<std::string>& notes) {
-  const auto lines = read_word_lines(list);
-  if (lines.empty()) throw InputError(list, "lists no image");
-  for (const auto& line : lines) check_words(line, 4, "stamp file stamp file", list);
-
-  AssociationList result;
-  result.depth_first = is_depth_first(lines.front(), list);
-  const std::size_t color = result.depth_first ? 2 : 0;
-  const std::size_t depth = 2 - color;
-  const Path folder = list.parent_path();
-  for (const auto& line : lines) {
-    result.frames.push_back({parse_stamp(line, color, list), parse_stamp(line, depth, list),
-                             folder / line.words[color + 1], folder / line.words[depth + 1]});
+std::vector<FrameFiles> read_association_list(const Path& list, const Path& folder,
+                                              std::vector<std::string>& notes) {
+  std::vector<FrameFiles> frames;
+  std::optional<bool> depth_first;
+  for (const auto& line : read_list_lines(list)) {
+    const auto pair = read_images(line, 2, list, notes);
+    if (!depth_first) depth_first = is_depth_first(pair, folder, list, line.number);
+    const ListedImage& color = pair[*depth_first ? 1 : 0];
+    const ListedImage& depth = pair[*depth_first ? 0 : 1];
+    frames.push_back({color.stamp, depth.stamp, folder / color.file, folder / depth.file});
   }
-  repair_stamp_order(result.frames, list.filename().string(), notes);
-  return result;
+  repair_stamp_order(frames, list.filename().string(), notes);
+  return frames;
 }
 
 bool has_frame_numbers(const std::vector<FrameFiles>& frames) {
@@ -189,38 +307,27 @@ bool has_frame_numbers(const std::vector<FrameFiles>& frames) {
   });
 }
 
-Sequence open_image_lists(const Path& folder, double max_stamp_difference) {
-  const auto association_file = find_association_file(folder);
-  Sequence sequence = association_file ? open_listed_pairs(*association_file)
-                                       : open_two_lists(folder, max_stamp_difference);
+Sequence open_image_lists(const Path& folder, const PairingOptions& options) {
+  const auto own_list = find_association_file(folder);
+  const auto list = options.associations ? options.associations : own_list;
+  Sequence sequence = list ? open_listed_pairs(*list, folder, options.depth_offset)
+                           : open_two_lists(folder, options);
+  note_images_outside(folder, sequence);
   if (has_frame_numbers(sequence.frames)) {
     sequence.notes.emplace_back("stamps are frame numbers: what is said per second is per frame");
   }
-  if (const auto file = find_reference_file(folder)) {
-    sequence.reference = read_tum_in_any_order(*file, sequence.notes);
-  } else {
-    sequence.notes.emplace_back("no ground truth (groundtruth.txt): errors cannot be measured");
-  }
+  add_reference(folder, sequence);
   return sequence;
 }
 
-std::optional<std::string> camera_named_by(const std::string& sequence_name) {
-  const std::string name = to_lower(sequence_name);
-  std::smatch match;
-  static const std::regex kTum("(?:^|[^a-z])(?:freiburg|fr)([123])(?:[^0-9]|$)");
-  if (std::regex_search(name, match, kTum)) return "tum_fr" + match[1].str();
-  static const std::regex kIclNuim(
-      "(?:^|[^a-z])icl(?:[^a-z]|$)|living_?room|office_(?:room_)?(?:kt|traj)|traj[0-3]_frei");
-  if (std::regex_search(name, kIclNuim)) return "icl_nuim";
-  return std::nullopt;
-}
-
 std::optional<SuggestedCamera> camera_of_recording(const Path& folder) {
-  for (const auto& name : {folder_name(folder), recording_name(folder)}) {
-    const auto camera = camera_named_by(name);
-    if (camera) return SuggestedCamera{*camera, fmt::format("the sequence is called '{}'", name)};
-  }
-  return std::nullopt;
+  const std::string name = recording_name(folder);
+  constexpr std::string_view kPrefix = "rgbd_dataset_freiburg";
+  if (!name.starts_with(kPrefix) || name.size() < kPrefix.size() + 2) return std::nullopt;
+  const char laboratory = name[kPrefix.size()];
+  if (laboratory < '1' || laboratory > '3' || name[kPrefix.size() + 1] != '_') return std::nullopt;
+  return SuggestedCamera{fmt::format("tum_fr{}", laboratory),
+                         fmt::format("rgb.txt says that the recording is '{}'", name)};
 }
 
 }  // namespace cvo_slam

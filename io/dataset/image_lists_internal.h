@@ -28,30 +28,23 @@ std::vector<std::pair<std::size_t, std::size_t>> associate_stamps(const std::vec
 /// Returns associations.txt or what other programs call it; empty if the folder has none.
 std::optional<std::filesystem::path> find_association_file(const std::filesystem::path& folder);
 
-struct AssociationList {
-  std::vector<FrameFiles> frames;
-  bool depth_first = false;  ///< true if each line names the depth image before the colour image
-};
-
-/// Reads lines "stamp file stamp file"; paths are relative to the list's folder. Which image is the
-/// depth image is known from the words depth, rgb and color in the paths of the first line, else
-/// from the images themselves. Adds what was repaired to `notes`. Throws InputError.
-AssociationList read_association_list(const std::filesystem::path& list,
-                                      std::vector<std::string>& notes);
+/// Reads lines "stamp file stamp file"; paths are relative to `folder`. Which image is the depth
+/// image is known from the words depth, rgb and color in the paths of the first line, else from the
+/// images themselves. Adds what was repaired or left out to `notes`. Throws InputError.
+std::vector<FrameFiles> read_association_list(const std::filesystem::path& list,
+                                              const std::filesystem::path& folder,
+                                              std::vector<std::string>& notes);
 
 /// Returns true if all stamps are integers: numbers of frames instead of seconds.
 bool has_frame_numbers(const std::vector<FrameFiles>& frames);
 
-/// Opens the sequence that an association file lists, else the one of rgb.txt and depth.txt.
+/// Opens the sequence that the options' list of pairs names, else the one of the folder's own list,
+/// else the one of rgb.txt and depth.txt.
 /// The reference is groundtruth.txt or *.gt.freiburg. Throws InputError.
-Sequence open_image_lists(const std::filesystem::path& folder, double max_stamp_difference);
+Sequence open_image_lists(const std::filesystem::path& folder, const PairingOptions& options);
 
-/// Returns the camera that the name of a published sequence calls for: the name of the folder, else
-/// the name of the recording, which TUM's rgb.txt has in a comment.
+/// Returns the camera of the TUM RGB-D benchmark that a sequence was recorded with, if a comment of
+/// rgb.txt names the recording: "# file: 'rgbd_dataset_freiburg1_rpy.bag'".
 std::optional<SuggestedCamera> camera_of_recording(const std::filesystem::path& folder);
-
-/// Returns the built-in camera that the name of a published sequence calls for, e.g. for
-/// "rgbd_dataset_freiburg1_rpy", "fr1_rpy" or "living_room_traj2_frei_png".
-std::optional<std::string> camera_named_by(const std::string& sequence_name);
 
 }  // namespace cvo_slam

@@ -4,11 +4,13 @@
 // 7-Scenes: Shotton et al., "Scene coordinate regression forests for camera relocalization in RGB-D
 // images", CVPR 2013. Depth is not registered to colour, and poses are those of the depth camera.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <regex>
+#include <string_view>
+#include <utility>
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -29,17 +31,40 @@ struct NumberedFiles {
   Path pose;
 };
 
+/// The kinds of files, by what stands behind the number: "frame-000012.color.png".
+constexpr std::array<std::pair<std::string_view, Path NumberedFiles::*>, 5> kKinds = {
+    {{".color.png", &NumberedFiles::color},
+     {".color.jpg", &NumberedFiles::color},
+     {".color.jpeg", &NumberedFiles::color},
+     {".depth.png", &NumberedFiles::depth},
+     {".pose.txt", &NumberedFiles::pose}}};
+
+struct NumberedName {
+  int number = 0;
+  Path NumberedFiles::*kind = nullptr;
+};
+
+/// Returns what a name says; empty if it is not that of a file of a frame.
+std::optional<NumberedName> parse_name(std::string_view name) {
+  constexpr std::string_view kPrefix = "frame-";
+  if (!name.starts_with(kPrefix)) return std::nullopt;
+  name.remove_prefix(kPrefix.size());
+  const std::size_t digits = std::min(name.find('.'), name.size());
+  constexpr std::size_t kMostDigits = 9;
+  const auto number = parse_integer<int>(name.substr(0, digits));
+  if (!number || *number < 0 || digits > kMostDigits || name.front() == '-') return std::nullopt;
+  for (const auto& [ending, kind] : kKinds) {
+    if (name.substr(digits) == ending) return NumberedName{*number, kind};
+  }
+  return std::nullopt;
+}
+
 /// Returns the files of each frame by its number.
 std::map<int, NumberedFiles> list_frames(const Path& folder) {
-  static const std::regex kName(
-      R"(frame-(\d{1,9})\.(?:(color)\.(?:png|jpe?g)|(depth)\.png|(pose)\.txt))");
   std::map<int, NumberedFiles> frames;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    std::smatch match;
-    if (!std::regex_match(name, match, kName)) continue;
-    NumberedFiles& files = frames[std::stoi(match[1].str())];
-    (match[2].matched ? files.color : match[3].matched ? files.depth : files.pose) = entry.path();
+    const auto name = parse_name(entry.path().filename().string());
+    if (name) frames[name->number].*(name->kind) = entry.path();
   }
   return frames;
 }
@@ -69,21 +94,22 @@ std::optional<SE3> read_pose(const Path& file) {
 }
 
 bool is_seven_scenes(const Path& folder) {
-  static const std::regex kName(R"(frame-\d{1,9}\.color\.(png|jpe?g))");
   const std::filesystem::directory_iterator files(folder);
   return std::any_of(begin(files), end(files), [](const auto& entry) {
-    return std::regex_match(entry.path().filename().string(), kName);
+    const auto name = parse_name(entry.path().filename().string());
+    return name && name->kind == &NumberedFiles::color;
   });
 }
 
-std::optional<SuggestedCamera> camera_of_seven_scenes(const Path& /*folder*/) {
-  return SuggestedCamera{"7scenes", "the layout is that of 7-Scenes"};
-}
-
-Sequence open_seven_scenes(const Path& folder, const Camera& camera, double /*max_stamp_difference*/) {
+Sequence open_seven_scenes(const Path& folder, const PairingOptions& options) {
+  if (options.associations || options.depth_offset != 0) {
+    throw OptionError(
+        "7-Scenes pairs images by their numbers: leave out the list of pairs and the "
+        "depth offset");
+  }
   Sequence sequence;
   sequence.invalid_depth = 65535;
-  const SE3 T_depth_color = camera.depth ? camera.depth->T_color_depth.inverse() : SE3();
+  sequence.reference_is_of_depth = true;
   for (const auto& [number, files] : list_frames(folder)) {
     if (files.color.empty() || files.depth.empty()) {
       sequence.unpaired.color += files.color.empty() ? 0 : 1;
@@ -93,7 +119,7 @@ Sequence open_seven_scenes(const Path& folder, const Camera& camera, double /*ma
     const Timestamp stamp = stamp_of(number);
     sequence.frames.push_back({stamp, stamp, files.color, files.depth});
     const auto T_world_depth = read_pose(files.pose);
-    if (T_world_depth) sequence.reference.push_back({stamp, *T_world_depth * T_depth_color});
+    if (T_world_depth) sequence.reference.push_back({stamp, *T_world_depth});
   }
   if (sequence.frames.empty()) {
     throw InputError(folder, "no frame has both a .color and a .depth image");
@@ -112,7 +138,7 @@ constinit const DatasetFormat kSevenScenesFormat = {
     .name = "7-Scenes",
     .layout = "frame-000000.color.png and .depth.png",
     .recognise = is_seven_scenes,
-    .suggest_camera = camera_of_seven_scenes,
+    .named_camera = nullptr,
     .open = open_seven_scenes,
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // TUM RGB-D: Sturm et al., "A benchmark for the evaluation of RGB-D SLAM systems", IROS 2012.
+// ICL-NUIM (Handa et al., "A benchmark for RGB-D visual odometry, 3D reconstruction and SLAM", ICRA
+// 2014) and many others are published in its layout.
 #include "cvo_slam/io/dataset/formats_internal.h"
 #include "cvo_slam/io/dataset/image_lists_internal.h"
 
@@ -15,18 +17,14 @@ bool is_tum(const Path& folder) {
                                            std::filesystem::is_regular_file(folder / "depth.txt"));
 }
 
-Sequence open_tum(const Path& folder, const Camera& /*camera*/, double max_stamp_difference) {
-  return open_image_lists(folder, max_stamp_difference);
-}
-
 }  // namespace
 
 constinit const DatasetFormat kTumFormat = {
     .name = "TUM RGB-D",
     .layout = "rgb.txt and depth.txt, or associations.txt",
     .recognise = is_tum,
-    .suggest_camera = camera_of_recording,
-    .open = open_tum,
+    .named_camera = camera_of_recording,
+    .open = open_image_lists,
 };
 
 }  // namespace cvo_slam
