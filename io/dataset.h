@@ -25,7 +25,7 @@ struct DatasetOptions {
   double max_stamp_difference = 0.02;
   /// A file of lines "stamp file stamp file" that pairs colour and depth images, in place of the
   /// sequence's own; its paths are relative to the folder of the sequence.
-  std::optional<std::filesystem::path> associations;
+  std::optional<std::filesystem::path> associations = std::nullopt;
   /// Time added to the stamps of the depth images before anything else [s], for recordings whose
   /// depth clock is off; at most a million.
   double depth_offset = 0;

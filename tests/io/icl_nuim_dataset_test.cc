@@ -19,26 +19,23 @@ void write_icl_nuim(const TinySequence& sequence) {
   }
 }
 
-TEST(IclNuimDataset, IsRecognisedByItsList) {
+TEST(IclNuimDataset, ReadsItsListAndReference) {
   const TinySequence sequence;
   write_icl_nuim(sequence);
   sequence.write("livingRoom2.gt.freiburg", "1 0 0 -2.5 0 0 0 1\n");
-  const auto data = open_dataset(sequence.path());
-  EXPECT_EQ(data->kind(), "ICL-NUIM");
-  EXPECT_EQ(data->camera().name, "icl_nuim");
-  EXPECT_EQ(data->camera_origin(), "the layout is that of ICL-NUIM");
+  const auto data = sequence.open();
   EXPECT_EQ(data->stamp(1).to_string(), "2");
   EXPECT_EQ(data->reference().size(), 1);
+  EXPECT_EQ(data->read(0).problem, "");
   EXPECT_THAT(data->notes(), testing::Contains(testing::HasSubstr("stamps are frame numbers")));
 }
 
-// The list is read twice: a mistake that keeps it from being recognised is reported nevertheless.
 TEST(IclNuimDataset, AMistakeInItsListIsReported) {
   const TinySequence sequence;
   write_icl_nuim(sequence);
-  sequence.write("associations.txt", "1 depth/1.png 1 rgb/1.png\n2 depth/2.png rgb/2.png\n");
+  sequence.write("associations.txt", "1 depth/1.png 1 rgb/1.png\n2 depth/2.png\n");
   EXPECT_EQ(input_error(sequence.path(), [&] { return sequence.open(); }),
-            "associations.txt:2: expected 'stamp file stamp file', found 3 words");
+            "associations.txt:2: expected 'stamp file stamp file', found 2 words");
 }
 
 /// Returns the mean difference of the grey levels of a and b at the points of a: a measure of how

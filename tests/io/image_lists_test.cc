@@ -45,17 +45,5 @@ TEST(AssociateStamps, TheLimitIsInclusive) {
   EXPECT_THAT(associate_stamps(milliseconds({0}), {}, 0.02), IsEmpty());
 }
 
-TEST(CameraNamedBy, KnowsTheNamesOfPublishedSequences) {
-  EXPECT_EQ(camera_named_by("rgbd_dataset_freiburg1_rpy"), "tum_fr1");
-  EXPECT_EQ(camera_named_by("fr2_desk"), "tum_fr2");
-  EXPECT_EQ(camera_named_by("TUM-fr3-office"), "tum_fr3");
-  EXPECT_EQ(camera_named_by("living_room_traj2_frei_png"), "icl_nuim");
-  EXPECT_EQ(camera_named_by("traj0_frei_png"), "icl_nuim");
-  EXPECT_EQ(camera_named_by("icl_office_kt3"), "icl_nuim");
-  for (const char* name : {"fr10", "afr1", "office", "bicl", "room", ""}) {
-    EXPECT_EQ(camera_named_by(name), std::nullopt) << name;
-  }
-}
-
 }  // namespace
 }  // namespace cvo_slam

@@ -38,13 +38,11 @@ TEST(SevenScenesDataset, StampsFramesAt30Hz) {
   EXPECT_EQ(data->read(1).problem, "");
 }
 
-TEST(SevenScenesDataset, TakesItsOwnCameraUnlessToldOtherwise) {
+TEST(SevenScenesDataset, ItsLayoutDoesNotTellTheCamera) {
   const TinySequence sequence;
   write_frame(sequence, "000000");
-  const auto data = open_dataset(sequence.path());
-  EXPECT_EQ(data->camera().name, "7scenes");
-  EXPECT_EQ(data->camera_origin(), "the layout is that of 7-Scenes");
-  EXPECT_THAT(data->read(0).problem, HasSubstr("has 8x6 pixels, its camera 640x480"));
+  EXPECT_THAT(input_error(sequence.path(), [&] { return open_dataset(sequence.path()); }),
+              HasSubstr("the camera of this sequence is not known"));
 }
 
 TEST(SevenScenesDataset, Reads65535AsNone) {

@@ -168,7 +168,8 @@ TEST(TumDataset, TakesTheCameraFromTheRecordingsNameInTheList) {
                  "# color images\n# file: 'rgbd_dataset_freiburg2_desk.bag'\n0.00 rgb/0.png\n");
   const auto data = open_dataset(sequence.path());
   EXPECT_EQ(data->camera().name, "tum_fr2");
-  EXPECT_EQ(data->camera_origin(), "the sequence is called 'rgbd_dataset_freiburg2_desk.bag'");
+  EXPECT_EQ(data->camera_origin(),
+            "rgb.txt says that the recording is 'rgbd_dataset_freiburg2_desk.bag'");
 }
 
 TEST(TumDataset, RefusesToGuessACamera) {

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/tests/fuzz/targets.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/options.h"
+#include "cvo_slam/io/camera_file.h"
+#include "cvo_slam/io/dataset/image_lists_internal.h"
+#include "cvo_slam/io/g2o.h"
+#include "cvo_slam/io/image_header_internal.h"
+#include "cvo_slam/io/options_file.h"
+#include "cvo_slam/io/ply.h"
+#include "cvo_slam/io/trajectory_files.h"
+#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/slam/slam_options.h"
+#include "cvo_slam/synthetic/world.h"
+
+namespace cvo_slam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of this process in memory, without any file of an earlier input that matters.
+const fs::path& scratch_folder() {
+  static const fs::path folder = [] {
+    const fs::path root = fs::exists("/dev/shm") ? "/dev/shm" : fs::temp_directory_path();
+    const fs::path made = root / fmt::format("cvo_slam_fuzz_{}", getpid());
+    fs::create_directories(made);
+    std::atexit([] { fs::remove_all(scratch_folder()); });
+    return made;
+  }();
+  return folder;
+}
+
+fs::path write_scratch(const std::string& name, std::string_view bytes) {
+  const fs::path file = scratch_folder() / name;
+  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
+  return file;
+}
+
+void parse_lists(std::string_view bytes) {
+  write_scratch("depth.txt", "0.0 depth/0.png\n0.1 depth/1.png\n1.0 depth/2.png\n");
+  write_scratch("rgb.txt", bytes);
+  static_cast<void>(camera_of_recording(scratch_folder()));
+  static_cast<void>(open_image_lists(scratch_folder(), {}));
+}
+
+void parse_associations(std::string_view bytes) {
+  PairingOptions options;
+  options.associations = write_scratch("pairs.txt", bytes);
+  options.depth_offset = 0.01;
+  static_cast<void>(open_image_lists(scratch_folder(), options));
+}
+
+void parse_trajectory(std::string_view bytes) {
+  static_cast<void>(read_tum(write_scratch("trajectory.txt", bytes)));
+}
+
+void parse_camera(std::string_view bytes) {
+  static_cast<void>(read_camera(write_scratch("camera.yaml", bytes)));
+}
+
+void parse_options(std::string_view bytes) {
+  SlamOptions options;
+  read_options(write_scratch("config.yaml", bytes), describe(options));
+}
+
+void parse_world(std::string_view bytes) {
+  static_cast<void>(read_world(write_scratch("world.yaml", bytes)));
+}
+
+void parse_g2o(std::string_view bytes) {
+  static_cast<void>(read_g2o(write_scratch("graph.g2o", bytes)));
+}
+
+void parse_ply(std::string_view bytes) {
+  static_cast<void>(read_ply(write_scratch("cloud.ply", bytes)));
+}
+
+void parse_vocabulary(std::string_view bytes) {
+  static_cast<void>(read_vocabulary(write_scratch("vocabulary", bytes)));
+}
+
+void parse_image(std::string_view bytes) { static_cast<void>(parse_image_header(bytes)); }
+
+constexpr std::array kTargets = {
+    FuzzTarget{"lists", parse_lists},
+    FuzzTarget{"associations", parse_associations},
+    FuzzTarget{"trajectory", parse_trajectory},
+    FuzzTarget{"camera", parse_camera},
+    FuzzTarget{"options", parse_options},
+    FuzzTarget{"world", parse_world},
+    FuzzTarget{"g2o", parse_g2o},
+    FuzzTarget{"ply", parse_ply},
+    FuzzTarget{"vocabulary_binary", parse_vocabulary},
+    FuzzTarget{"vocabulary_text", parse_vocabulary},
+    FuzzTarget{"image_header", parse_image},
+};
+
+}  // namespace
+
+std::span<const FuzzTarget> fuzz_targets() { return kTargets; }
+
+void run_fuzz_target(std::string_view name, std::string_view bytes) {
+  const auto* const target =
+      std::find_if(kTargets.begin(), kTargets.end(),
+                   [&](const FuzzTarget& candidate) { return candidate.name == name; });
+  try {
+    target->parse(bytes);
+  } catch (const Error&) {  // the one right answer to most bytes
+  }
+}
+
+}  // namespace cvo_slam
