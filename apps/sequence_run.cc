@@ -117,13 +117,17 @@ namespace {
 /// read with a wrong scale.
 std::optional<std::string> scale_warning(const EvaluationReport& report, const Dataset& data,
                                          const Trajectory& trajectory) {
-  constexpr std::size_t kFewest = 20;  // poses
-  constexpr double kUnusual = 0.15;    // a trajectory that drifts is seldom so much off
-  if (report.matches < kFewest) return std::nullopt;
+  constexpr double kUnusual = 0.15;
+  constexpr double kBetter = 0.5;  // a trajectory that drifts gains less by another size
+  if (!report.ate || report.options.alignment != Alignment::kSe3) return std::nullopt;
   try {
     const auto matches = associate(data.reference(), trajectory.poses, report.options.association);
-    const double scale = absolute_trajectory_error(matches, Alignment::kSim3).alignment.scale;
-    if (std::fabs(std::log(scale)) < std::log1p(kUnusual)) return std::nullopt;
+    const AbsoluteTrajectoryError scaled = absolute_trajectory_error(matches, Alignment::kSim3);
+    const double scale = scaled.alignment.scale;
+    if (std::fabs(std::log(scale)) < std::log1p(kUnusual) ||
+        scaled.statistics.translation.rmse > kBetter * report.ate->statistics.translation.rmse) {
+      return std::nullopt;
+    }
     return fmt::format(
         "warning: the ground truth is {:.2f} times as large as the estimate; is the "
         "camera's depth_scale {} right?",
