@@ -55,19 +55,32 @@ std::vector<RelativePoseOptions> relative_options(const EvalArguments& arguments
            .all_pairs = arguments.all_pairs}};
 }
 
+/// Throws InputError if the file has no pose; otherwise it would be said of the estimate's file.
+ForeignTrajectory read_poses(const std::filesystem::path& file) {
+  ForeignTrajectory trajectory = read_foreign_tum(file);
+  if (!trajectory.poses.empty()) return trajectory;
+  const std::size_t invalid = trajectory.left_out.invalid;
+  throw InputError(file, fmt::format("has no pose{}; expected lines 'stamp tx ty tz qx qy qz qw'",
+                                     invalid > 0 ? " with finite numbers" : ""));
+}
+
 int run_eval(const EvalArguments& arguments) {
   EvaluationOptions options = arguments.options;
   options.relative = relative_options(arguments);
-  const auto reference = read_tum(arguments.reference);
-  const auto estimate = read_tum(arguments.estimate);
+  const auto reference = read_poses(arguments.reference);
+  const auto estimate = read_poses(arguments.estimate);
   EvaluationReport report;
   try {
-    report = evaluate(reference, estimate, options);
+    report = evaluate(reference.poses, estimate.poses, options,
+                      {.reference = reference.left_out, .estimate = estimate.left_out});
   } catch (const DataError& error) {
     throw InputError(arguments.estimate, error.what());
   }
+  if (reference.sorted) report.notes.emplace_back("reference: stamps out of order; sorted");
+  if (estimate.sorted) report.notes.emplace_back("estimate: stamps out of order; sorted");
   if (!arguments.plot_folder.empty()) {
-    write_figures(arguments.plot_folder, evaluation_figures(reference, estimate, report));
+    write_figures(arguments.plot_folder,
+                  evaluation_figures(reference.poses, estimate.poses, report));
   }
   fmt::print("{}", arguments.json ? json_text(report) + "\n" : to_table(report));
   return kDone;

@@ -3,6 +3,8 @@
 #include "cvo_slam/apps/evaluation_report.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -43,15 +45,98 @@ bool has_figures(const EvaluationReport& report) {
                                    [](const auto& relative) { return relative.error.has_value(); });
 }
 
-std::string table_row(std::string_view name, std::string_view quantity, const Statistics& s) {
-  return fmt::format(
-      "{:<14}{:<17}{:>12.6f}{:>12.6f}{:>12.6f}{:>12.6f}{:>12.6f}{:>12.6f}{:>14.6f}{:>8}\n", name,
-      quantity, s.rmse, s.mean, s.median, s.std, s.min, s.max, s.sse, s.count);
+/// Returns a figure with six decimals, or in scientific notation if it would have more than seven
+/// digits before the point.
+std::string figure_text(double value) {
+  constexpr double kLargest = 1e7;
+  return std::fabs(value) < kLargest ? fmt::format("{:.6f}", value) : fmt::format("{:.6e}", value);
 }
 
-std::string table_rows(std::string_view name, const PoseErrorStatistics& statistics) {
-  return table_row(name, "translation [m]", statistics.translation) +
-         table_row("", "rotation [deg]", in_unit(statistics.rotation, kDegrees));
+/// The cells of a row: its name, its quantity, and the figures.
+using FigureRow = std::array<std::string, 10>;
+
+FigureRow figure_row(std::string_view name, std::string_view quantity, const Statistics& s) {
+  return {std::string(name),     std::string(quantity),  figure_text(s.rmse), figure_text(s.mean),
+          figure_text(s.median), figure_text(s.std),     figure_text(s.min),  figure_text(s.max),
+          figure_text(s.sse),    std::to_string(s.count)};
+}
+
+void add_figure_rows(std::vector<FigureRow>& rows, std::string_view name,
+                     const PoseErrorStatistics& statistics) {
+  rows.push_back(figure_row(name, "translation [m]", statistics.translation));
+  rows.push_back(figure_row("", "rotation [deg]", in_unit(statistics.rotation, kDegrees)));
+}
+
+/// Returns the rows as lines whose columns are at least two blanks apart.
+std::string aligned(const std::vector<FigureRow>& rows) {
+  std::array<std::size_t, 10> widths = {14, 17, 12, 12, 12, 12, 12, 12, 14, 8};
+  for (const FigureRow& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size() + 2);
+  }
+  std::string text;
+  for (const FigureRow& row : rows) {
+    text += fmt::format("{:<{}}{:<{}}", row[0], widths[0], row[1], widths[1]);
+    for (std::size_t i = 2; i < row.size(); ++i) text += fmt::format("{:>{}}", row[i], widths[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+/// From this share on, what is in no figure is a warning.
+constexpr double kLargeShare = 0.1;
+
+double share_of(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+void add_warning(EvaluationReport& report, const char* file, const LeftOutLines& left_out,
+                 std::size_t poses) {
+  if (share_of(left_out.total(), poses) < kLargeShare) return;
+  std::string warning =
+      fmt::format("{} of the {} poses of the {} are left out", left_out.total(), poses, file);
+  if (left_out.repeated > 0) {
+    warning += fmt::format(
+        "; {} have the stamp of an earlier one: if stamps are rounded, write them with all their "
+        "digits",
+        left_out.repeated);
+  }
+  if (left_out.invalid > 0) warning += fmt::format("; {} are not finite", left_out.invalid);
+  report.warnings.push_back(warning);
+}
+
+void add_warnings(EvaluationReport& report, std::size_t possible) {
+  add_warning(report, "reference", report.left_out.reference, report.reference_poses);
+  add_warning(report, "estimate", report.left_out.estimate, report.estimate_poses);
+  if (share_of(possible - report.matches, possible) < kLargeShare) return;
+  report.warnings.push_back(fmt::format(
+      "{} of {} poses have no partner and are in no figure; check that both files are of the whole "
+      "sequence and by the same clock",
+      possible - report.matches, possible));
+}
+
+std::string left_out_lines(const EvaluationReport& report) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* file, const char* why) {
+    if (count > 0) text += fmt::format("left out   {} poses of the {}: {}\n", count, file, why);
+  };
+  constexpr const char* kRepeated = "the stamp is that of an earlier one";
+  constexpr const char* kInvalid = "not finite, or a quaternion of length zero";
+  add(report.left_out.reference.repeated, "reference", kRepeated);
+  add(report.left_out.reference.invalid, "reference", kInvalid);
+  add(report.left_out.estimate.repeated, "estimate", kRepeated);
+  add(report.left_out.estimate.invalid, "estimate", kInvalid);
+  add(report.unmatched, "estimate", "no pose of the reference at that time");
+  return text;
+}
+
+/// Returns the number of poses of the estimate that have a partner; as several poses of a shorter
+/// reference may take the same one, it can be lower than that of matches.
+std::size_t count_matched(const std::vector<MatchedPose>& matches) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (i == 0 || matches[i].stamp != matches[i - 1].stamp) ++count;
+  }
+  return count;
 }
 
 std::string describe_association(const AssociationOptions& options) {
@@ -67,17 +152,19 @@ std::string describe_association(const AssociationOptions& options) {
 
 EvaluationReport evaluate(const std::vector<StampedPose>& reference,
                           const std::vector<StampedPose>& estimate,
-                          const EvaluationOptions& options) {
+                          const EvaluationOptions& options, const LeftOutOfFiles& left_out) {
   auto matches = associate(reference, estimate, options.association);
   EvaluationReport report;
   report.options = options;
-  report.reference_poses = reference.size();
-  report.estimate_poses = estimate.size();
+  report.left_out = left_out;
+  report.reference_poses = reference.size() + left_out.reference.total();
+  report.estimate_poses = estimate.size() + left_out.estimate.total();
   report.matches = matches.size();
-  const std::size_t possible = options.association.interpolate
-                                   ? estimate.size()
-                                   : std::min(reference.size(), estimate.size());
-  report.coverage = static_cast<double>(matches.size()) / static_cast<double>(possible);
+  report.unmatched = estimate.size() - count_matched(matches);
+  const bool by_reference = !options.association.interpolate && reference.size() < estimate.size();
+  report.coverage =
+      share_of(matches.size(), by_reference ? report.reference_poses : report.estimate_poses);
+  add_warnings(report, by_reference ? reference.size() : estimate.size());
 
   add_ate(report, matches);
   if (report.ate && report.ate->alignment.scale != 1) {
@@ -113,22 +200,25 @@ std::string to_table(const EvaluationReport& report) {
       fmt::format("matched    {} of {} poses ({:.1f} %) with {} of the reference, {}\n",
                   report.matches, report.estimate_poses, 100 * report.coverage,
                   report.reference_poses, describe_association(report.options.association));
+  text += left_out_lines(report);
   text += fmt::format("alignment  {}", name_of(report.options.alignment));
   if (report.ate && report.options.alignment == Alignment::kSim3) {
-    text += fmt::format(", scale {:.9f}", report.ate->alignment.scale);
+    text += fmt::format(", scale {:.9g}", report.ate->alignment.scale);
   }
-  text += fmt::format("\n\n{:<31}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}{:>14}{:>8}\n", "", "rmse",
-                      "mean", "median", "std", "min", "max", "sse", "count");
+  std::vector<FigureRow> rows = {
+      {"", "", "rmse", "mean", "median", "std", "min", "max", "sse", "count"}};
   bool has_paper_error = false;
-  if (report.ate) text += table_rows("ATE", report.ate->statistics);
+  if (report.ate) add_figure_rows(rows, "ATE", report.ate->statistics);
   for (const auto& relative : report.relative) {
     if (!relative.error) continue;
-    text += table_rows(label_of(relative.options), relative.error->statistics);
+    add_figure_rows(rows, label_of(relative.options), relative.error->statistics);
     has_paper_error |= relative.options.kind == RelativeErrorKind::kCvoPaper;
   }
+  text += "\n\n" + aligned(rows);
   if (has_paper_error)
     text += "* as the CVO paper defines it: rotation is sqrt(2) times the angle\n";
   for (const auto& note : report.notes) text += note + "\n";
+  for (const auto& warning : report.warnings) text += "warning: " + warning + "\n";
   return text;
 }
 

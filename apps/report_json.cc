@@ -46,11 +46,19 @@ Json json_of(const RelativeEvaluation& relative) {
           {"error", relative.error ? json_of(relative.error->statistics) : nullptr}};
 }
 
+Json json_of(const LeftOutLines& left_out) {
+  return {{"repeated_stamp", left_out.repeated}, {"invalid", left_out.invalid}};
+}
+
 Json json_of(const EvaluationReport& report) {
   const auto& association = report.options.association;
   Json json = {{"reference_poses", report.reference_poses},
                {"estimate_poses", report.estimate_poses},
                {"matches", report.matches},
+               {"unmatched", report.unmatched},
+               {"left_out",
+                {{"reference", json_of(report.left_out.reference)},
+                 {"estimate", json_of(report.left_out.estimate)}}},
                {"coverage", report.coverage},
                {"interpolate", association.interpolate},
                {"max_difference_s", association.max_difference},
@@ -61,6 +69,7 @@ Json json_of(const EvaluationReport& report) {
   json["rpe"] = Json::array();
   for (const auto& relative : report.relative) json["rpe"].push_back(json_of(relative));
   json["notes"] = report.notes;
+  json["warnings"] = report.warnings;
   return json;
 }
 

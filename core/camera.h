@@ -49,7 +49,9 @@ struct PinholeCamera {
   /// Returns true if the pixel lies on the image.
   [[nodiscard]] bool contains(const Eigen::Vector2d& pixel) const;
 
-  /// Throws OptionError if a size or focal length is impossible.
+  /// Throws OptionError if a value is impossible: an image of more than 67 million pixels, a focal
+  /// length that does not fit the image size, a principal point outside the image, distortion that
+  /// no lens has.
   void check() const;
 };
 
@@ -85,7 +87,8 @@ struct Camera {
   std::optional<DepthCamera> depth;
   SensorNoise noise;
 
-  /// Throws OptionError if a value is impossible.
+  /// Throws OptionError if a value is impossible: of one of its pinhole cameras, a depth scale that
+  /// is not in [1, 1e6], or cameras that are more than 2 m apart.
   void check() const;
 };
 

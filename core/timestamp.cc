@@ -48,6 +48,10 @@ std::optional<Timestamp> parse_scientific(std::string_view text) {
 }  // namespace
 
 std::optional<Timestamp> Timestamp::parse(std::string_view text) {
+  if (text.starts_with('+')) {
+    text.remove_prefix(1);
+    if (text.starts_with('-')) return std::nullopt;
+  }
   if (text.find_first_of("eE") != std::string_view::npos) return parse_scientific(text);
   const bool negative = !text.empty() && text.front() == '-';
   if (negative) text.remove_prefix(1);

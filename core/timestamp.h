@@ -23,7 +23,8 @@ class Timestamp {
       : nanoseconds_(nanoseconds), decimals_(decimals) {}
 
   /// Parses seconds in decimal ("1305031229.528748") or scientific notation, rounded to
-  /// nanoseconds. Returns nothing if the text is not a number between -4e9 and 4e9 (year 2096).
+  /// nanoseconds; a '+' in front is accepted. Returns nothing if the text is not a number between
+  /// -4e9 and 4e9 (year 2096).
   static std::optional<Timestamp> parse(std::string_view text);
   static Timestamp from_seconds(double seconds, int decimals = 6);
 

@@ -3,7 +3,9 @@
 #include "cvo_slam/io/camera_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,6 +13,7 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/builtin_camera_files_internal.h"
+#include "cvo_slam/io/text_internal.h"
 #include "cvo_slam/io/yaml_value.h"
 
 namespace cvo_slam {
@@ -104,34 +107,119 @@ Camera parse_own_camera(const YamlValue& root, const std::string& file_name) {
   return camera;
 }
 
-/// Returns the value of the first of `keys` that the file has, or a null pointer: ORB-SLAM3 renamed
-/// the intrinsics to "Camera1.fx" and left "Camera.width" as it was.
-const YamlValue* find_first(const YamlValue& root, const std::vector<std::string>& keys) {
+/// Returns the value of the one of `keys` that the file has, or a null pointer: ORB-SLAM3 renamed
+/// the intrinsics to "Camera1.fx" and left "Camera.width" as it was; OpenVSLAM calls that
+/// "Camera.cols".
+const YamlValue* find_one(const YamlValue& root, const std::vector<std::string>& keys) {
+  const YamlValue* found = nullptr;
   for (const auto& key : keys) {
-    if (const YamlValue* value = root.find(key)) return value;
+    const YamlValue* value = root.find(key);
+    if (value == nullptr) continue;
+    if (found != nullptr) {
+      value->fail_at_key(
+          fmt::format("'{}' is one of {}, and the file has another; remove one of them", key,
+                      fmt::join(keys, ", ")));
+    }
+    found = value;
   }
-  return nullptr;
+  return found;
 }
 
-bool is_orb_slam_file(const YamlValue& root) {
-  return find_first(root, {"Camera.fx", "Camera1.fx"}) != nullptr;
+/// Returns the part of a key that names a property of the camera: "fx" for "Camera.fx" and
+/// "Camera1.fx"; empty for keys of other parts of the program.
+std::string_view camera_property(std::string_view key) {
+  for (const std::string_view prefix : {"Camera.", "Camera1."}) {
+    if (key.starts_with(prefix)) return key.substr(prefix.size());
+  }
+  return {};
 }
 
-Camera parse_orb_slam_camera(const YamlValue& root, const std::string& file_name) {
-  if (const YamlValue* type = root.find("Camera.type")) {
-    const std::string& model = type->word("Camera.type");
-    if (model != "PinHole") {
-      type->fail(fmt::format("Camera.type: only PinHole is supported, not '{}'", model));
+bool is_settings_file(const YamlValue& root) {
+  const auto& entries = root.map("camera");
+  return std::any_of(entries.begin(), entries.end(),
+                     [](const auto& entry) { return !camera_property(entry.first).empty(); });
+}
+
+template <std::size_t kCount>
+bool contains(const std::array<std::string_view, kCount>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Refuses what would make the lens or the images others than those that are read: a model that is
+/// not a pinhole, coefficients beyond Brown's five, resized images, a second camera.
+void check_property(const YamlValue& root, const std::string& key, const YamlValue& value) {
+  constexpr std::array<std::string_view, 13> kRead = {
+      "width", "height", "cols", "rows", "fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3"};
+  // None of these changes where a pixel looks.
+  constexpr std::array<std::string_view, 8> kHarmless = {
+      "name", "fps", "RGB", "color_order", "bf", "ThDepth", "focal_x_baseline", "depth_threshold"};
+  constexpr std::array<std::string_view, 4> kOtherLens = {"k4", "k5", "k6", "bFishEye"};
+  const std::string_view name = camera_property(key);
+  if (contains(kRead, name) || contains(kHarmless, name)) return;
+  if (contains(kOtherLens, name)) {
+    if (value.number(key) == 0) return;
+    value.fail_at_key(fmt::format(
+        "{}: {} is a lens that is not supported, only k1, k2, p1, p2 and k3 are; undistort the "
+        "images, or calibrate them with these five",
+        key, value.word(key)));
+  }
+  if (name == "model" || name == "type") {
+    const std::string model = to_lower(value.word(key));
+    if (model == "pinhole" || model == "perspective") return;
+    value.fail(
+        fmt::format("{}: only PinHole (perspective) is supported, not {}; undistort the "
+                    "images to a pinhole camera first",
+                    key, in_quotes(value.word(key))));
+  }
+  if (name == "setup") {
+    if (to_lower(value.word(key)) == "rgbd") return;
+    value.fail(
+        fmt::format("{}: only RGBD is supported, not {}; give the settings of an RGB-D "
+                    "camera",
+                    key, in_quotes(value.word(key))));
+  }
+  if (name == "imageScale" || name == "newWidth" || name == "newHeight") {
+    const YamlValue* same = name == "newWidth"    ? find_one(root, {"Camera.width", "Camera.cols"})
+                            : name == "newHeight" ? find_one(root, {"Camera.height", "Camera.rows"})
+                                                  : nullptr;
+    if (value.number(key) == (same != nullptr ? same->number(key) : 1)) return;
+    value.fail_at_key(fmt::format(
+        "{}: images are not resized; remove the key and give the intrinsics of the images as they "
+        "are stored",
+        key));
+  }
+  value.fail_at_key(fmt::format(
+      "unknown key {}; remove it if it does not change the lens or the images", in_quotes(key)));
+}
+
+void check_settings(const YamlValue& root) {
+  // The model first: it says more than the coefficients that come with it.
+  for (const char* key : {"Camera.type", "Camera.model", "Camera1.type", "Camera1.model"}) {
+    if (const YamlValue* value = root.find(key)) check_property(root, key, *value);
+  }
+  for (const auto& [key, value] : root.map("camera")) {
+    if (!camera_property(key).empty()) check_property(root, key, value);
+    for (const char* prefix : {"Camera2.", "LEFT.", "RIGHT.", "Stereo.T_"}) {
+      if (!key.starts_with(prefix)) continue;
+      value.fail_at_key(fmt::format(
+          "{} is of a stereo camera; give the settings of an RGB-D camera", in_quotes(key)));
     }
   }
+}
+
+Camera parse_settings_camera(const YamlValue& root, const std::string& file_name) {
+  check_settings(root);
+  const auto find_or_fail = [&](const std::vector<std::string>& keys) -> const YamlValue& {
+    const YamlValue* value = find_one(root, keys);
+    return value != nullptr ? *value : root.require(keys.front(), "camera");
+  };
   const auto number = [&](const std::vector<std::string>& keys) {
-    const YamlValue* value = find_first(root, keys);
-    return (value != nullptr ? *value : root.require(keys.front(), "camera")).number(keys.front());
+    return find_or_fail(keys).number(keys.front());
   };
   Camera camera;
   camera.name = file_name;
-  camera.color.width = pixels(root.require("Camera.width", "camera"), "Camera.width");
-  camera.color.height = pixels(root.require("Camera.height", "camera"), "Camera.height");
+  camera.color.width = pixels(find_or_fail({"Camera.width", "Camera.cols"}), "Camera.width");
+  camera.color.height = pixels(find_or_fail({"Camera.height", "Camera.rows"}), "Camera.height");
   camera.color.fx = number({"Camera.fx", "Camera1.fx"});
   camera.color.fy = number({"Camera.fy", "Camera1.fy"});
   camera.color.cx = number({"Camera.cx", "Camera1.cx"});
@@ -139,10 +227,10 @@ Camera parse_orb_slam_camera(const YamlValue& root, const std::string& file_name
   std::size_t i = 0;
   for (const char* name : {"k1", "k2", "p1", "p2", "k3"}) {
     const std::string key = fmt::format("Camera.{}", name);
-    const YamlValue* value = find_first(root, {key, fmt::format("Camera1.{}", name)});
+    const YamlValue* value = find_one(root, {key, fmt::format("Camera1.{}", name)});
     camera.color.distortion[i++] = value != nullptr ? value->number(key) : 0;
   }
-  camera.depth_scale = number({"DepthMapFactor", "RGBD.DepthMapFactor"});
+  camera.depth_scale = number({"DepthMapFactor", "RGBD.DepthMapFactor", "depthmap_factor"});
   return camera;
 }
 
@@ -153,7 +241,7 @@ Camera parse_camera(const std::string& text, const std::filesystem::path& file) 
     throw InputError(file, "is empty; a camera needs width, height, fx, fy, ...");
   }
   const std::string file_name = file.stem().string();
-  const Camera camera = is_orb_slam_file(root) ? parse_orb_slam_camera(root, file_name)
+  const Camera camera = is_settings_file(root) ? parse_settings_camera(root, file_name)
                                                : parse_own_camera(root, file_name);
   try {
     camera.check();

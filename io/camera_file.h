@@ -17,16 +17,18 @@ namespace cvo_slam {
 ///   distortion                     k1, k2, p1, p2, k3 as in OpenCV; default: none
 ///   depth_scale                    units of the depth image per metre
 ///   readout_time                   of a rolling shutter, first to last row [s]; default: 0
-///   noise                          depth_floor [m], depth_quadratic [1/m], pixel [px]:
-///   SensorNoise;
-///                                  a key that is missing has its default
+///   noise                          depth_floor [m], depth_quadratic [1/m], pixel [px], as in
+///                                  SensorNoise; a key that is missing has its default
 ///   depth                          a depth camera, if depth is not registered to colour: width,
 ///                                  height, fx, fy, cx, cy, distortion and T_color_depth, the four
 ///                                  rows of a rigid 4x4 matrix [m]
 ///
-/// or from a settings file of ORB-SLAM2 or ORB-SLAM3, which is recognised by its key "Camera.fx" or
-/// "Camera1.fx"; only a PinHole camera is accepted, and keys that do not describe the camera are
-/// ignored. Throws InputError with file, line and key.
+/// or from a settings file of ORB-SLAM2, ORB-SLAM3 or OpenVSLAM, which is recognised by its keys
+/// "Camera.fx", "Camera1.fx" and their kin. Of these, a key that says that the lens or the images
+/// are others than those of a pinhole camera with the five coefficients above is refused by name
+/// (another Camera.model or Camera.type, k4 to k6 that are not 0, resized images, a second camera),
+/// and so is a key "Camera.*" that is not known. Keys that do not describe the camera are ignored.
+/// Throws InputError with file, line and key.
 [[nodiscard]] Camera read_camera(const std::filesystem::path& file);
 
 /// Writes a camera as YAML. read_camera() returns the same numbers, except that it rounds the

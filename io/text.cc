@@ -1,29 +1,147 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <sstream>
+#include <utility>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/files.h"
+#include "cvo_slam/core/text_files.h"
 #include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
+namespace {
 
-std::optional<double> parse_finite(std::string_view text) {
+constexpr std::string_view kBlanks = " \t\r\v\f";
+
+std::string_view without_blanks_around(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+}
+
+/// Returns the fields between the separators; none if one of them has a blank inside, because the
+/// character then does not separate.
+std::vector<std::string> split_fields(std::string_view line, char separator) {
+  std::vector<std::string> fields;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    const auto field = without_blanks_around(line.substr(begin, end - begin));
+    if (field.find_first_of(kBlanks) != std::string_view::npos) return {};
+    fields.emplace_back(field);
+    begin = end + 1;
+  }
+  if (fields.size() > 1 && fields.back().empty()) fields.pop_back();
+  return fields;
+}
+
+/// Returns the power of ten of the first digit that is not zero: 0 for "1.5", 399 for "1e399";
+/// a very low one if all digits are zero.
+long decimal_magnitude(std::string_view number) {
+  const std::size_t e = number.find_first_of("eE");
+  const std::string_view digits = number.substr(0, e);
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  const std::size_t first = digits.find_first_of("123456789");
+  if (first == std::string_view::npos) return std::numeric_limits<int>::min();
+  const long place = static_cast<long>(point) - static_cast<long>(first) - (first < point ? 1 : 0);
+  if (e == std::string_view::npos) return place;
+  std::string_view exponent_text = number.substr(e + 1);
+  if (exponent_text.starts_with('+')) exponent_text.remove_prefix(1);
+  const auto exponent = parse_integer<int>(exponent_text);  // empty if it is beyond an int
+  if (exponent) return place + *exponent;
+  return exponent_text.starts_with('-') ? std::numeric_limits<int>::min()
+                                        : std::numeric_limits<int>::max();
+}
+
+std::string stamp_problem(std::string_view word) {
+  if (has_decimal_comma(word)) {
+    return fmt::format("{} has a decimal comma; write stamps with a point", in_quotes(word));
+  }
+  // The years 1980 to 2096: those that a clock may show, counted in another unit.
+  constexpr double kEarliest = 3.2e8;
+  constexpr double kLatest = 4e9;
+  constexpr std::array<std::pair<double, const char*>, 3> kUnits = {
+      {{1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}};
+  const double value = std::fabs(parse_finite(word).value_or(0));
+  for (const auto& [unit, name] : kUnits) {
+    if (value / unit < kEarliest || value / unit > kLatest) continue;
+    return fmt::format(
+        "{} is a time in {}, and stamps are in seconds; divide those of this file "
+        "by {:.0f}",
+        in_quotes(word), name, unit);
+  }
+  if (value > kLatest) {
+    return fmt::format(
+        "{} is no time in seconds: it is after the year 2096; convert the stamps of "
+        "this file from milliseconds or nanoseconds to seconds",
+        in_quotes(word));
+  }
+  return fmt::format(
+      "{} is not a time stamp in seconds; repair or remove the line, or begin it "
+      "with '#' if it is a heading",
+      in_quotes(word));
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+  const bool plus = text.starts_with('+');
+  if (plus) text.remove_prefix(1);
+  if (plus && text.starts_with('-')) return std::nullopt;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    return std::nullopt;
+  if (end != text.data() + text.size() || text.empty()) return std::nullopt;
+  if (error == std::errc()) return value;
+  if (error != std::errc::result_out_of_range) return std::nullopt;
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  const double limit = decimal_magnitude(text) < 0 ? 0.0 : std::numeric_limits<double>::infinity();
+  return negative ? -limit : limit;
+}
+
+std::optional<double> parse_finite(std::string_view text) {
+  const auto value = parse_number(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+bool has_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return false;
+  std::string with_point(text);
+  with_point[comma] = '.';
+  return parse_finite(with_point).has_value();
+}
+
+std::string number_problem(std::string_view word) {
+  if (has_decimal_comma(word)) {
+    return fmt::format("{} has a decimal comma; write numbers with a point", in_quotes(word));
   }
-  return value;
+  return fmt::format("{} is not a finite number; repair or remove the line", in_quotes(word));
+}
+
+std::string in_quotes(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  std::string text(word.substr(0, kLongest));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return fmt::format("'{}{}'", text, word.size() > kLongest ? "..." : "");
 }
 
 std::vector<std::string> split_words(const std::string& line) {
   std::istringstream stream(line);
   return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::vector<std::string> split_columns(const std::string& line) {
+  for (const char separator : {';', ','}) {
+    if (line.find(separator) == std::string::npos) continue;
+    auto fields = split_fields(line, separator);
+    if (!fields.empty()) return fields;
+  }
+  return split_words(line);
 }
 
 std::string to_lower(std::string text) {
@@ -34,14 +152,14 @@ std::string to_lower(std::string text) {
 }
 
 std::vector<TextLine> read_word_lines(const std::filesystem::path& file) {
-  std::istringstream stream(read_file(file));
+  std::istringstream stream(read_text_file(file));
   std::vector<TextLine> lines;
   long number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
-    auto words = split_words(line);
-    if (words.empty() || words.front().front() == '#') continue;
-    lines.push_back({number, std::move(words)});
+    const std::size_t first = line.find_first_not_of(kBlanks);
+    if (first == std::string::npos || line[first] == '#') continue;
+    lines.push_back({number, split_columns(line)});
   }
   return lines;
 }
@@ -49,8 +167,15 @@ std::vector<TextLine> read_word_lines(const std::filesystem::path& file) {
 Timestamp parse_stamp(const TextLine& line, std::size_t word, const std::filesystem::path& file) {
   const auto stamp = Timestamp::parse(line.words[word]);
   if (stamp) return *stamp;
-  throw InputError(file, line.number,
-                   fmt::format("'{}' is not a time stamp in seconds", line.words[word]));
+  throw InputError(file, line.number, stamp_problem(line.words[word]));
+}
+
+void add_repair_notes(const StampRepair& repair, const std::string& file, std::size_t lines,
+                      std::vector<std::string>& notes) {
+  if (repair.sorted) notes.push_back(fmt::format("{}: stamps out of order; sorted", file));
+  if (repair.repeated == 0) return;
+  notes.push_back(fmt::format("{}: {} duplicated stamps in {} lines; the later ones are left out",
+                              file, repair.repeated, lines));
 }
 
 }  // namespace cvo_slam

@@ -3,68 +3,167 @@
 #include "cvo_slam/io/yaml_value.h"
 
 #include <algorithm>
+#include <optional>
+#include <set>
+#include <sstream>
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/core/options.h"
+#include "cvo_slam/core/text_files.h"
 #include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
 
-/// Copies the nodes of yaml-cpp: its look-ups are slow, it keeps the first of two equal keys
-/// without an error, and users of the library need not have its headers.
-class YamlConverter {
+/// Makes a value from the events of yaml-cpp's parser. Its tree of nodes is not used: making it
+/// ends the program for a value that contains itself, its look-ups are slow, it keeps the first of
+/// two equal keys without an error, and users of the library need not have its headers.
+class YamlBuilder : public YAML::EventHandler {
  public:
-  explicit YamlConverter(const std::filesystem::path& file)
+  explicit YamlBuilder(const std::filesystem::path& file)
       : file_(std::make_shared<const std::filesystem::path>(file)) {}
 
-  [[nodiscard]] YamlValue convert_root(const YAML::Node& node) const {
-    if (!node.IsMap() && !node.IsNull()) {
-      throw InputError(*file_, line_of(node), "expected 'key: value' lines");
-    }
-    return convert(node, node.IsNull() ? 1 : line_of(node), 0);
+  /// Returns the map of the file, or an empty value if it has none.
+  [[nodiscard]] YamlValue root() && {
+    if (!root_) return empty_value(1);
+    if (root_->is_map() || root_->is_empty()) return std::move(*root_);
+    throw InputError(*file_, root_->line(), "expected 'key: value' lines");
+  }
+
+  void OnDocumentStart(const YAML::Mark& /*mark*/) override { ++documents_; }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
+    if (documents_ > 1 && open_.empty()) return;  // behind a last "---"
+    begin_value(mark);
+    if (expects_key()) fail_at(mark, "a key must be a plain word");
+    // An empty value has no line of its own.
+    add(empty_value(open_.empty() ? 1 : key_line_or(line_of(mark))));
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& word) override {
+    begin_value(mark);
+    if (expects_key()) return begin_key(mark, word);
+    YamlValue value = value_at(mark, YamlValue::Kind::kWord);
+    value.word_ = word;
+    add(std::move(value));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/,
+                       YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {
+    begin_collection(mark, YamlValue::Kind::kList);
+  }
+  void OnSequenceEnd() override { end_collection(); }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {
+    begin_collection(mark, YamlValue::Kind::kMap);
+  }
+  void OnMapEnd() override { end_collection(); }
+
+  // Aliases may double a value on each line, or make it part of itself.
+  void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
+    fail_at(mark, fmt::format("the anchor '&{}' is not supported; write the value where it is "
+                              "used",
+                              name));
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
+    fail_at(mark, "an alias ('*name') is not supported; write the value itself");
   }
 
  private:
-  static long line_of(const YAML::Node& node) { return node.Mark().line + 1; }
+  /// A list or map whose end has not come yet.
+  struct Open {
+    YamlValue value;
+    std::set<std::string> keys;
+    bool has_key = false;  ///< true if a key waits for its value
+    std::string key;
+    long key_line = 1;
+  };
 
-  /// `line` is the line of the node's key.
-  [[nodiscard]] YamlValue convert(const YAML::Node& node, long line, int depth) const {
-    constexpr int kDeepest = 32;  // an alias may make a value part of itself
-    if (depth > kDeepest) throw InputError(*file_, line, "values are nested too deeply");
+  static long line_of(const YAML::Mark& mark) { return mark.line + 1; }
+
+  [[noreturn]] void fail_at(const YAML::Mark& mark, const std::string& problem) const {
+    throw InputError(*file_, line_of(mark), problem);
+  }
+
+  [[nodiscard]] long key_line_or(long line) const {
+    return !open_.empty() && open_.back().has_key ? open_.back().key_line : line;
+  }
+
+  [[nodiscard]] YamlValue empty_value(long line) const {
     YamlValue value;
     value.file_ = file_;
-    value.key_line_ = line;
-    value.line_ = node.IsNull() ? line : line_of(node);  // an empty value has no line of its own
-    if (node.IsScalar()) {
-      value.kind_ = YamlValue::Kind::kWord;
-      value.word_ = node.Scalar();
-    } else if (node.IsSequence()) {
-      value.kind_ = YamlValue::Kind::kList;
-      for (const auto& item : node) {
-        value.list_.push_back(convert(item, line_of(item), depth + 1));
-      }
-    } else if (node.IsMap()) {
-      value.kind_ = YamlValue::Kind::kMap;
-      for (const auto& entry : node) {
-        value.map_.emplace_back(key_of(entry.first, value),
-                                convert(entry.second, line_of(entry.first), depth + 1));
-      }
-    }
+    value.line_ = value.key_line_ = line;
     return value;
   }
 
-  [[nodiscard]] const std::string& key_of(const YAML::Node& key, const YamlValue& map) const {
-    if (!key.IsScalar()) throw InputError(*file_, line_of(key), "a key must be a plain word");
-    if (map.find(key.Scalar()) == nullptr) return key.Scalar();
-    throw InputError(*file_, line_of(key),
-                     fmt::format("key '{}' is given twice; remove one", key.Scalar()));
+  [[nodiscard]] YamlValue value_at(const YAML::Mark& mark, YamlValue::Kind kind) const {
+    YamlValue value = empty_value(line_of(mark));
+    value.kind_ = kind;
+    value.key_line_ = key_line_or(value.line_);
+    return value;
+  }
+
+  [[nodiscard]] bool expects_key() const {
+    return !open_.empty() && open_.back().value.is_map() && !open_.back().has_key;
+  }
+
+  void begin_value(const YAML::Mark& mark) const {
+    if (documents_ > 1) {
+      fail_at(mark, "a second document begins before this ('---'); keep one in the file");
+    }
+  }
+
+  void begin_key(const YAML::Mark& mark, const std::string& word) {
+    Open& map = open_.back();
+    if (!map.keys.insert(word).second) {
+      fail_at(mark, fmt::format("key '{}' is given twice; remove one", word));
+    }
+    map.has_key = true;
+    map.key = word;
+    map.key_line = line_of(mark);
+  }
+
+  void begin_collection(const YAML::Mark& mark, YamlValue::Kind kind) {
+    // More than any file of this library needs, and less than fills the stack of a parser.
+    constexpr std::size_t kDeepest = 32;
+    begin_value(mark);
+    if (expects_key()) fail_at(mark, "a key must be a plain word");
+    if (open_.size() == kDeepest) {
+      fail_at(mark, fmt::format("values are nested too deeply; {} levels are possible", kDeepest));
+    }
+    Open open;
+    open.value = value_at(mark, kind);
+    open_.push_back(std::move(open));
+  }
+
+  void end_collection() {
+    YamlValue value = std::move(open_.back().value);
+    open_.pop_back();
+    add(std::move(value));
+  }
+
+  void add(YamlValue value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+    } else if (open_.back().value.is_map()) {
+      open_.back().value.map_.emplace_back(std::move(open_.back().key), std::move(value));
+      open_.back().has_key = false;
+    } else {
+      open_.back().value.list_.push_back(std::move(value));
+    }
   }
 
   std::shared_ptr<const std::filesystem::path> file_;
+  int documents_ = 0;
+  std::vector<Open> open_;  // from the outermost to the innermost
+  std::optional<YamlValue> root_;
 };
 
 YamlValue YamlValue::read(const std::filesystem::path& file) {
@@ -72,12 +171,18 @@ YamlValue YamlValue::read(const std::filesystem::path& file) {
 }
 
 YamlValue YamlValue::parse(std::string text, const std::filesystem::path& file) {
+  text = text_of(text, file);
   if (text.starts_with("%YAML:")) text.front() = '#';
+  YamlBuilder builder(file);
   try {
-    return YamlConverter(file).convert_root(YAML::Load(text));
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
+    }
   } catch (const YAML::Exception& error) {
     throw InputError(file, error.mark.line + 1, fmt::format("not valid YAML: {}", error.msg));
   }
+  return std::move(builder).root();
 }
 
 void YamlValue::fail(const std::string& problem) const { throw InputError(*file_, line_, problem); }
@@ -98,6 +203,9 @@ const std::string& YamlValue::word(const std::string& what) const {
 
 double YamlValue::number(const std::string& what) const {
   const auto value = kind_ == Kind::kWord ? parse_finite(word_) : std::nullopt;
+  if (!value && kind_ == Kind::kWord && has_decimal_comma(word_)) {
+    fail(fmt::format("{}: {}", what, number_problem(word_)));
+  }
   if (!value) fail_expected(what, "a number");
   return *value;
 }

@@ -17,7 +17,8 @@ namespace cvo_slam {
 class YamlValue {
  public:
   /// Returns the map that a whole file is, or an empty value for an empty file. Throws InputError
-  /// with the line if the file cannot be read, is not YAML, is not a map, or has a key twice.
+  /// with the line if the file cannot be read, is not YAML, is not a map, has a key twice, several
+  /// documents, more than 32 levels, or an anchor or alias.
   [[nodiscard]] static YamlValue read(const std::filesystem::path& file);
   /// Does the same with text; `file` is used in error messages only. The line "%YAML:1.0" of
   /// OpenCV's files, which is not YAML, is accepted.
@@ -56,7 +57,7 @@ class YamlValue {
   [[noreturn]] void fail_at_key(const std::string& problem) const;
 
  private:
-  friend class YamlConverter;
+  friend class YamlBuilder;
   enum class Kind { kEmpty, kWord, kList, kMap };
 
   [[noreturn]] void fail_expected(const std::string& what, const std::string& expected) const;

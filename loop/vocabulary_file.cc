@@ -11,6 +11,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/core/text_files.h"
 #include "cvo_slam/loop/vocabulary_files.h"
 
 namespace cvo_slam {
@@ -76,27 +77,51 @@ struct Header {
   [[nodiscard]] std::uint64_t file_bytes() const { return weights_at() + 4 * std::uint64_t{words}; }
 };
 
-/// Returns why the bytes are no vocabulary; an empty text if they are one.
-std::string problem_of(std::span<const char> bytes) {
-  if (!std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return "is no vocabulary";
-  const Header header(bytes);
+/// Returns why the header is none of a file of so many bytes; an empty text if it may be one. The
+/// numbers of nodes and words are those of the file from then on.
+std::string header_problem(const Header& header, std::size_t bytes) {
   if (header.version != kVersion) {
-    return fmt::format("is of version {} of the format, and this program knows {}; update it",
-                       header.version, kVersion);
+    return fmt::format(
+        "is of version {} of the format (byte 8), and this program knows {}; update "
+        "it",
+        header.version, kVersion);
   }
   if (header.bits != Descriptor::kBits) {
-    return fmt::format("has descriptors of {} bits; ORB's have {}", header.bits, Descriptor::kBits);
+    return fmt::format("has descriptors of {} bits (byte 20); ORB's have {}: use another file",
+                       header.bits, Descriptor::kBits);
   }
-  if (header.nodes == 0) return "is damaged: it has no root";
-  if (bytes.size() != header.file_bytes()) {
-    return fmt::format("has {} bytes, and its header says {}: it is {}", bytes.size(),
-                       header.file_bytes(),
-                       bytes.size() < header.file_bytes() ? "cut off" : "damaged");
+  if (header.nodes == 0) return "is damaged: it has no root (byte 24); copy it again";
+  if (bytes == header.file_bytes()) return {};
+  return fmt::format(
+      "has {} bytes, and its header says {} ({} nodes, {} words): it is {}; copy it "
+      "again",
+      bytes, header.file_bytes(), header.nodes, header.words,
+      bytes < header.file_bytes() ? "cut off" : "damaged");
+}
+
+/// Returns why the bytes are no vocabulary; an empty text if they are one.
+std::string problem_of(std::span<const char> bytes) {
+  const std::size_t magic_bytes = std::min(bytes.size(), kMagic.size());
+  if (!std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(magic_bytes),
+                  kMagic.begin())) {
+    return "is no vocabulary: it begins neither with 'cvo-voc' (binary) nor with a number "
+           "(ORB-SLAM's "
+           "text); unpack it if it is compressed, or give another file";
   }
+  if (bytes.size() < kHeaderBytes) {
+    return fmt::format("is cut off: {} bytes, and its header has {}; copy it again", bytes.size(),
+                       kHeaderBytes);
+  }
+  const std::string problem = header_problem(Header(bytes), bytes.size());
+  if (!problem.empty()) return problem;
   if (number_at<std::uint64_t>(bytes, kChecksumAt) != checksum(bytes)) {
     return "is damaged: its checksum is another; copy it again";
   }
   return {};
+}
+
+[[noreturn]] void fail_binary(const std::filesystem::path& name, const std::string& problem) {
+  throw InputError(name, problem + " (read as a binary vocabulary)");
 }
 
 /// Returns the nodes that the header describes. The number of words has only been checked against
@@ -153,27 +178,25 @@ std::string vocabulary_bytes(const Vocabulary& vocabulary) {
 }
 
 Vocabulary vocabulary_from_bytes(std::span<const char> bytes, const std::filesystem::path& name) {
-  if (bytes.size() < kHeaderBytes) {
-    throw InputError(name, fmt::format("is cut off: {} bytes", bytes.size()));
-  }
   const std::string problem = problem_of(bytes);
-  if (!problem.empty()) throw InputError(name, problem);
+  if (!problem.empty()) fail_binary(name, problem);
   const Header header(bytes);
   try {
     Vocabulary vocabulary(static_cast<int>(header.branching), static_cast<int>(header.levels),
                           nodes_of(bytes, header));
     if (vocabulary.nodes() == header.nodes && vocabulary.words() == header.words) return vocabulary;
   } catch (const DataError& error) {
-    throw InputError(name, error.what());
+    fail_binary(name, error.what());
   }
-  throw InputError(name, "is damaged: its nodes are not those that its header says");
+  fail_binary(name, "is damaged: its nodes are not those that its header says; copy it again");
 }
 
 Vocabulary read_vocabulary(const std::filesystem::path& file) {
   const std::string bytes = read_file(file);
+  const std::string_view text = text_of(bytes, file);
   // The text format begins with a number; the binary format and other files do not.
-  const bool is_text = !bytes.empty() && bytes.find_first_not_of(" \t\r\n0123456789") != 0;
-  return is_text ? vocabulary_from_text(bytes, file) : vocabulary_from_bytes(bytes, file);
+  const bool is_text = !text.empty() && text.find_first_not_of(" \t\r\n0123456789") != 0;
+  return is_text ? vocabulary_from_text(text, file) : vocabulary_from_bytes(bytes, file);
 }
 
 void write_vocabulary(const std::filesystem::path& file, const Vocabulary& vocabulary) {

@@ -12,7 +12,8 @@
 namespace cvo_slam {
 
 /// Reads a vocabulary in either format, which its first bytes tell. Throws InputError if the file
-/// cannot be read, is cut off, damaged, of a later version, or no vocabulary.
+/// cannot be read, is cut off, damaged, of a later version, or no vocabulary; the message says as
+/// which format it was read.
 [[nodiscard]] Vocabulary read_vocabulary(const std::filesystem::path& file);
 
 /// Returns the bytes of the binary format of this library. They depend on the vocabulary alone.

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <system_error>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -37,7 +39,11 @@ class LineReader {
     Number value{};
     const auto [after, problem] = std::from_chars(at_, end_, value);
     const bool ends = after == end_ || is_blank(*after) || *after == '\n';
-    if (problem != std::errc() || !ends) fail(fmt::format("{} is missing or no number", what));
+    if (problem == std::errc::result_out_of_range && ends) {
+      value = out_of_range<Number>({at_, after}, what);
+    } else if (problem != std::errc() || !ends) {
+      fail(fmt::format("{} is missing or no number", what));
+    }
     at_ = after;
     return value;
   }
@@ -59,10 +65,21 @@ class LineReader {
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(name_, line_, problem);
+    throw InputError(name_, line_, problem + " (read as ORB-SLAM's text vocabulary)");
   }
 
  private:
+  /// Returns 0 for a number that is too small for a float; ORB-SLAM's own files have doubles.
+  template <typename Number>
+  Number out_of_range(std::string_view digits, const char* what) const {
+    double value = 0;
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool small =
+        std::is_floating_point_v<Number> && result.ec == std::errc() && std::fabs(value) < 1;
+    if (!small) fail(fmt::format("{} is {}, which is too large", what, digits.substr(0, 40)));
+    return 0;
+  }
+
   const char* at_;
   const char* end_;
   const std::filesystem::path& name_;
@@ -107,7 +124,9 @@ Vocabulary vocabulary_from_text(std::string_view text, const std::filesystem::pa
   try {
     return {static_cast<int>(branching), static_cast<int>(levels), nodes};
   } catch (const DataError& error) {
-    throw InputError(name, std::string(error.what()) + "; is the file cut off?");
+    throw InputError(name, fmt::format("{}; is the file cut off? (read as ORB-SLAM's text "
+                                       "vocabulary; node n is line n + 1)",
+                                       error.what()));
   }
 }
 

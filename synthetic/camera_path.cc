@@ -43,6 +43,13 @@ void check(const PathPlan& plan) {
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
   if (!positive(plan.duration)) throw OptionError("camera path: the duration must be positive");
   if (!positive(plan.speed)) throw OptionError("camera path: the speed must be positive");
+  constexpr double kLongest = 86400;  // [s]; more would be millions of frames
+  if (plan.duration / plan.speed > kLongest) {
+    throw OptionError(
+        fmt::format("camera path: {} s at speed {} are more than a day; use a shorter "
+                    "path or a higher speed",
+                    plan.duration, plan.speed));
+  }
   for (std::size_t i = 0; i < plan.viewpoints.size(); ++i) {
     const Vector3 view = plan.viewpoints[i].target - plan.viewpoints[i].position;
     if (view.head<2>().norm() > 0.01 * view.norm()) continue;

@@ -39,7 +39,8 @@ struct PathPlan {
 class CameraPath {
  public:
   /// Throws OptionError for fewer than four viewpoints (the order of the spline), for a target that
-  /// is above, below or at its position, and for a duration or speed that is not positive.
+  /// is above, below or at its position, for a duration or speed that is not positive, and for a
+  /// path that takes more than a day.
   explicit CameraPath(PathPlan plan);
 
   /// Returns the duration of one round, or from end to end, at the plan's speed [s].

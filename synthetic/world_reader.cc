@@ -33,6 +33,11 @@ double number_in(const YamlValue& value, const std::string& what, double low, do
   return number;
 }
 
+/// A world of people's size; larger numbers take all memory or time, for example for a path of
+/// years at 30 images a second.
+constexpr double kLargestLength = 1e4;      // [m]
+constexpr double kLongestDuration = 86400;  // [s]
+
 double positive(const YamlValue& value, const std::string& what) {
   const double number = value.number(what);
   if (number <= 0) value.fail(fmt::format("{}: {} must be positive", what, number));
@@ -50,11 +55,21 @@ Vector3 vector3(const YamlValue& value, const std::string& what) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-/// Returns `count` positive numbers.
+/// Returns a position or a shift [m].
+Vector3 length3(const YamlValue& value, const std::string& what) {
+  const Vector3 result = vector3(value, what);
+  if ((result.array().abs() <= kLargestLength).all()) return result;
+  value.fail(fmt::format("{}: coordinates must be within {} m", what, kLargestLength));
+}
+
+/// Returns `count` positive lengths [m].
 std::vector<double> sizes(const YamlValue& value, const std::string& what, std::size_t count) {
   auto numbers = value.numbers(what, count);
   for (const double number : numbers) {
     if (number <= 0) value.fail(fmt::format("{}: the size {} must be positive", what, number));
+    if (number > kLargestLength) {
+      value.fail(fmt::format("{}: the size {} must be at most {} m", what, number, kLargestLength));
+    }
   }
   return numbers;
 }
@@ -149,7 +164,9 @@ class WorldReader {
     }
     if (const auto* base = value.find("base")) texture.base = read_color(*base, "base");
     if (const auto* accent = value.find("accent")) texture.accent = read_color(*accent, "accent");
-    if (const auto* scale = value.find("scale")) texture.scale = positive(*scale, "scale");
+    if (const auto* scale = value.find("scale")) {
+      texture.scale = number_in(*scale, "scale", 1e-4, kLargestLength);
+    }
     if (const auto* contrast = value.find("contrast")) {
       texture.contrast = number_in(*contrast, "contrast", 0, 1);
     }
@@ -167,7 +184,7 @@ class WorldReader {
     if (const auto* lights = root_.find("lights")) {
       for (const auto& value : lights->list("lights")) {
         value.check_keys({"position", "power"}, "light");
-        scene.lights.push_back({vector3(value.require("position", "light"), "position"),
+        scene.lights.push_back({length3(value.require("position", "light"), "position"),
                                 not_negative(value.require("power", "light"), "power")});
       }
     }
@@ -191,8 +208,9 @@ class WorldReader {
     primitive.texture.seed = seed != nullptr ? seed_of(*seed) : drawn;
     if (const auto* swing = value.find("swing")) {
       swing->check_keys({"amplitude", "period", "phase"}, "swing");
-      primitive.swing = Swing{vector3(swing->require("amplitude", "swing"), "amplitude"),
-                              positive(swing->require("period", "swing"), "period"), 0};
+      primitive.swing =
+          Swing{length3(swing->require("amplitude", "swing"), "amplitude"),
+                number_in(swing->require("period", "swing"), "period", 0.01, kLongestDuration), 0};
       if (const auto* phase = swing->find("phase")) {
         primitive.swing->phase = phase->number("phase");
       }
@@ -206,7 +224,12 @@ class WorldReader {
       value.fail("shape: give its kind and size: box, sheet, cylinder or sphere");
     }
     const YamlValue& size = *value.find(kind);
-    if (kind == "sphere") return Sphere{positive(size, kind)};
+    if (kind == "sphere") {
+      const double diameter = positive(size, kind);
+      if (diameter <= kLargestLength) return Sphere{diameter};
+      size.fail(
+          fmt::format("{}: the size {} must be at most {} m", kind, diameter, kLargestLength));
+    }
     const auto lengths = sizes(size, kind, kind == "box" ? 3 : 2);
     if (kind == "box") return Box{{lengths[0], lengths[1], lengths[2]}};
     if (kind == "sheet") return Rectangle{lengths[0], lengths[1]};
@@ -239,7 +262,7 @@ class WorldReader {
   static Vector3 read_center(const YamlValue& value, const Shape& shape) {
     const std::string key = one_of(value, {"at", "on"});
     if (key.empty()) value.fail("shape: give its position: 'at' (its centre) or 'on' (its foot)");
-    Vector3 place = vector3(*value.find(key), key);
+    Vector3 place = length3(*value.find(key), key);
     if (key == "at") return place;
     double height = 0;
     if (const auto* box = std::get_if<Box>(&shape)) height = box->size.z();
@@ -249,8 +272,8 @@ class WorldReader {
   }
 
   static Viewpoint read_viewpoint(const YamlValue& value) {
-    return {vector3(value.require("position", "viewpoint"), "position"),
-            vector3(value.require("target", "viewpoint"), "target")};
+    return {length3(value.require("position", "viewpoint"), "position"),
+            length3(value.require("target", "viewpoint"), "target")};
   }
 
   [[nodiscard]] CameraPath read_path(const YamlValue& value) const {
@@ -260,6 +283,11 @@ class WorldReader {
     plan.duration = positive(value.require("duration", "path"), "duration");
     if (const auto* closed = value.find("closed")) plan.closed = closed->flag("closed");
     if (const auto* speed = value.find("speed")) plan.speed = positive(*speed, "speed");
+    if (plan.duration / plan.speed > kLongestDuration) {
+      value.require("duration", "path")
+          .fail(fmt::format("duration: {} s at speed {} are more than a day; give a shorter path",
+                            plan.duration, plan.speed));
+    }
     if (const auto* tremor = value.find("tremor")) read_tremor(*tremor, plan.tremor);
     const YamlValue& viewpoints = value.require("viewpoints", "path");
     for (const auto& viewpoint : viewpoints.list("viewpoints")) {
@@ -276,10 +304,10 @@ class WorldReader {
   static void read_tremor(const YamlValue& value, Tremor& tremor) {
     value.check_keys({"translation", "rotation", "seed"}, "tremor");
     if (const auto* size = value.find("translation")) {
-      tremor.translation = not_negative(*size, "translation");
+      tremor.translation = number_in(*size, "translation", 0, kLargestLength);
     }
     if (const auto* size = value.find("rotation")) {
-      tremor.rotation = not_negative(*size, "rotation");
+      tremor.rotation = number_in(*size, "rotation", 0, std::numbers::pi);
     }
     if (const auto* seed = value.find("seed")) tremor.seed = seed_of(*seed);
   }

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -124,13 +127,53 @@ TEST_F(EvalCommand, BadInput) {
   expect_error(run_program({"eval", missing, estimate_}), 2, "missing.txt: cannot be opened");
   const auto empty = folder_.write("empty.txt", "# nothing\n");
   expect_error(run_program({"eval", reference_, empty}), 2, "has no pose");
-  const auto nan = folder_.write("nan.txt", "1 0 0 0 0 0 0 1\n2 nan 0 0 0 0 0 1\n");
-  expect_error(run_program({"eval", reference_, nan}), 2, "nan.txt:2: 'nan'");
+  expect_error(run_program({"eval", empty, estimate_}), 2, "empty.txt: has no pose");
+  const auto nan = folder_.write("nan.txt", "1 nan 0 0 0 0 0 1\n");
+  expect_error(run_program({"eval", reference_, nan}), 2, "nan.txt: has no pose with finite numb");
+  const auto comma = folder_.write("comma.txt", "1 0 0 0 0 0 0 1\n2 0,5 0 0 0 0 0 1\n");
+  expect_error(run_program({"eval", reference_, comma}), 2, "comma.txt:2: '0,5' has a decimal");
+  const auto wide = folder_.write("wide.txt", std::string("1\0 \0", 4));
+  expect_error(run_program({"eval", reference_, wide}), 2, "wide.txt: is UTF-16 text");
   const auto later = folder_.write("later.txt", "1000 0 0 0 0 0 0 1\n");
   expect_error(run_program({"eval", reference_, later}), 2, "later.txt: no pose of the estimate");
   const auto single = folder_.write("single.txt", "1 0 0 0 0 0 0 1\n");
   expect_error(run_program({"eval", reference_, single}), 2, "alignment needs at least 3");
   expect_error(run_program({"eval", folder_.path(), estimate_}), 2, "is a folder");
+}
+
+// Of a file whose stamps were rounded to seconds, "27 of 27 poses (100 %)" was said: the other
+// lines had vanished.
+TEST_F(EvalCommand, LinesThatAreLeftOutAreCountedAndSaid) {
+  std::string rounded;
+  for (const auto& pose : helix(40)) {
+    const Vector3& t = pose.T_world_camera.translation();
+    rounded += fmt::format("{:.0f} {} {} {} 0 0 0 1\n", std::floor(pose.stamp.seconds()), t.x(),
+                           t.y(), t.z());
+  }
+  const auto file = folder_.write("rounded.txt", rounded);
+  const auto table = run_program({"eval", reference_, file}).output;
+  // The 40 poses are 100 ms apart: four seconds.
+  EXPECT_THAT(table, HasSubstr("matched    4 of 40 poses (10.0 %) with 40 of the reference"));
+  EXPECT_THAT(table, HasSubstr("left out   36 poses of the estimate: the stamp is that of an"));
+  EXPECT_THAT(table,
+              HasSubstr("warning: 36 of the 40 poses of the estimate are left out; 36 have"));
+  const auto json = nlohmann::json::parse(run_program({"eval", reference_, file, "--json"}).output);
+  EXPECT_EQ(json["matches"], 4);
+  EXPECT_EQ(json["estimate_poses"], 40);
+  EXPECT_EQ(json["coverage"], 0.1);
+  EXPECT_EQ(json["left_out"]["estimate"]["repeated_stamp"], 36);
+  EXPECT_EQ(json["left_out"]["reference"]["repeated_stamp"], 0);
+  EXPECT_EQ(json["warnings"].size(), 1U);
+}
+
+TEST_F(EvalCommand, PosesThatAreNotFiniteAreCountedAndSaid) {
+  const auto file = folder_.write("nan.txt", read_text(estimate_) + "90 nan nan nan 0 0 0 1\n");
+  const auto table = run_program({"eval", reference_, file}).output;
+  EXPECT_THAT(table, HasSubstr("matched    40 of 41 poses (97.6 %)"));
+  EXPECT_THAT(table, HasSubstr("left out   1 poses of the estimate: not finite"));
+  EXPECT_THAT(table, testing::Not(HasSubstr("warning")));
+  EXPECT_THAT(run_program({"eval", file, estimate_}).output,
+              HasSubstr("left out   1 poses of the reference: not finite"));
 }
 
 TEST(EvalCommandOnData, GivesTheFiguresOfEvo) {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/evaluation_report.h"
 
+#include <iterator>
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -35,6 +38,54 @@ TEST(EvaluationReport, CoverageIsTheMatchedShare) {
   EXPECT_DOUBLE_EQ(evaluate(reference, helix(40)).coverage, 1);
   EXPECT_DOUBLE_EQ(evaluate(reference, helix(40), {.association = {.interpolate = true}}).coverage,
                    0.25);
+}
+
+TEST(EvaluationReport, CountsWhatIsInNoFigure) {
+  auto reference = helix(40);
+  reference.resize(10);
+  const auto report = evaluate(
+      reference, helix(40), {},
+      {.reference = {.repeated = 2, .invalid = 1}, .estimate = {.repeated = 0, .invalid = 10}});
+  EXPECT_EQ(report.reference_poses, 13U);
+  EXPECT_EQ(report.estimate_poses, 50U);
+  EXPECT_EQ(report.matches, 10U);
+  EXPECT_EQ(report.unmatched, 30U);
+  EXPECT_DOUBLE_EQ(report.coverage, 10.0 / 13);
+  EXPECT_THAT(report.warnings,
+              testing::ElementsAre(HasSubstr("3 of the 13 poses of the reference are left out"),
+                                   HasSubstr("10 of the 50 poses of the estimate are left out; 10 "
+                                             "are not finite")));
+  EXPECT_THAT(to_table(report), HasSubstr("left out   30 poses of the estimate: no pose of the"));
+}
+
+TEST(EvaluationReport, WarnsIfManyPosesHaveNoPartner) {
+  auto reference = helix(40);
+  reference.resize(30);
+  const auto report = evaluate(reference, helix(40), {.association = {.interpolate = true}});
+  EXPECT_THAT(report.warnings, testing::ElementsAre(HasSubstr("10 of 40 poses have no partner")));
+  EXPECT_THAT(to_table(report), HasSubstr("\nwarning: 10 of 40 poses have no partner"));
+}
+
+// Errors of 1e5 m and more filled the columns, and the numbers ran together.
+TEST(EvaluationReport, ColumnsNeverRunTogether) {
+  for (const double size : {1.0, 1e4, 1e5, 1e9, 1e40}) {
+    auto estimate = helix(40);
+    for (std::size_t i = 0; i < estimate.size(); ++i) {
+      const SE3& pose = estimate[i].T_world_camera;
+      estimate[i].T_world_camera =
+          SE3(pose.rotation(), (i % 2 == 0 ? size : -size) * pose.translation());
+    }
+    const std::string table =
+        to_table(evaluate(helix(40), estimate, {.alignment = Alignment::kNone}));
+    std::istringstream lines(table.substr(table.find("ATE")));
+    for (std::string line; std::getline(lines, line);) {
+      const auto unit = line.find(']');
+      ASSERT_NE(unit, std::string::npos);
+      std::istringstream rest(line.substr(unit + 1));
+      const std::vector<std::string> words{std::istream_iterator<std::string>(rest), {}};
+      EXPECT_EQ(words.size(), 8U) << line;
+    }
+  }
 }
 
 TEST(EvaluationReport, SimilarityScalesTheRelativeErrorToo) {

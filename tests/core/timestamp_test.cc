@@ -22,11 +22,13 @@ TEST(Timestamp, ReadsNanosecondsExactly) {
   EXPECT_EQ(Timestamp::parse("1.0000000005")->nanoseconds(), 1000000001);
   EXPECT_EQ(Timestamp::parse("1.9999999999")->nanoseconds(), 2000000000);
   EXPECT_EQ(Timestamp::parse("1.305031102160407066e+09")->nanoseconds(), 1305031102160407066);
+  EXPECT_EQ(Timestamp::parse("+1.5")->nanoseconds(), 1500000000);
+  EXPECT_EQ(Timestamp::parse("1e-400")->nanoseconds(), 0);
 }
 
 TEST(Timestamp, RejectsWhatIsNoTime) {
   for (const char* text : {"", "-", "abc", "nan", "inf", "1e400", "1.2.3", "12x", "1 2", ".5",
-                           "99999999999999999999", "+1"}) {
+                           "99999999999999999999", "+", "+-1", "++1"}) {
     EXPECT_FALSE(Timestamp::parse(text)) << text;
   }
 }

@@ -139,7 +139,7 @@ TEST(ReadCamera, RefusesImpossibleValues) {
 TEST(ReadCamera, RefusesAPoseThatIsNotRigid) {
   const std::string depth =
       std::string(kGood) +
-      "depth:\n  width: 64\n  height: 48\n  fx: 5\n  fy: 5\n  cx: 3\n  cy: 2\n";
+      "depth:\n  width: 64\n  height: 48\n  fx: 50\n  fy: 50\n  cx: 31\n  cy: 23\n";
   const std::string rows = "    - [0, 1, 0, 0]\n    - [0, 0, 1, 0]\n    - [0, 0, 0, 1]\n";
   const std::string key = "  T_color_depth:\n";
   EXPECT_EQ(read_error(depth + key + "    - [1, 0, 0, 0.1]\n" + rows), "no error");
@@ -176,6 +176,105 @@ TEST(ReadCamera, RefusesOrbSlamFilesThatItCannotFollow) {
               HasSubstr("c.yaml:2: Camera.type: only PinHole"));
   EXPECT_THAT(read_error("Camera.fx: 5\nCamera.height: 3\n"),
               HasSubstr("'Camera.width' is missing"));
+}
+
+/// The settings of ORB-SLAM2 for TUM fr3; they are eight lines.
+constexpr const char* kSettings =
+    "%YAML:1.0\nCamera.fx: 535.4\nCamera.fy: 539.2\nCamera.cx: 320.1\nCamera.cy: 247.6\n"
+    "Camera.width: 640\nCamera.height: 480\nDepthMapFactor: 5000.0\n";
+
+// Camera.k4 to k6 (a rational lens) were ignored without a word: 0.1 m in place of 0.003.
+TEST(ReadCamera, RefusesKeysOfSettingsThatChangeTheLens) {
+  const std::string good = kSettings;
+  for (const char* key : {"k4", "k5", "k6", "bFishEye"}) {
+    const std::string name = std::string("Camera.") + key;
+    EXPECT_EQ(read_error(good + name + ": 0.0\n"), "no error");
+    EXPECT_THAT(read_error(good + name + ": 1\n"),
+                HasSubstr("c.yaml:9: " + name + ": 1 is a lens"));
+  }
+  EXPECT_THAT(read_error(good + "Camera1.k4: 0.1\n"), HasSubstr("c.yaml:9: Camera1.k4: 0.1 is"));
+  for (const char* model : {"fisheye", "KannalaBrandt8", "Rectified", "equirectangular"}) {
+    for (const char* key : {"Camera.model", "Camera.type"}) {
+      const std::string line = std::string(key) + ": \"" + model + "\"\n";
+      EXPECT_THAT(read_error(good + "Camera.k4: 1\n" + line),
+                  HasSubstr(std::string("c.yaml:10: ") + key + ": only PinHole (perspective) is"));
+    }
+  }
+  EXPECT_EQ(read_error(good + "Camera.model: perspective\n"), "no error");
+  EXPECT_EQ(read_error(good + "Camera.type: \"PinHole\"\n"), "no error");
+}
+
+TEST(ReadCamera, RefusesSettingsOfOtherImagesAndSensors) {
+  const std::string good = kSettings;
+  EXPECT_EQ(read_error(good + "Camera.setup: RGBD\n"), "no error");
+  EXPECT_THAT(read_error(good + "Camera.setup: stereo\n"),
+              HasSubstr("c.yaml:9: Camera.setup: only RGBD is supported, not 'stereo'"));
+  EXPECT_EQ(read_error(good + "Camera.newWidth: 640\nCamera.imageScale: 1.0\n"), "no error");
+  EXPECT_THAT(read_error(good + "Camera.newWidth: 320\n"),
+              HasSubstr("c.yaml:9: Camera.newWidth: images are not resized"));
+  EXPECT_THAT(read_error(good + "Camera.newHeight: 240\n"), HasSubstr("Camera.newHeight: images"));
+  EXPECT_THAT(read_error(good + "Camera.imageScale: 0.5\n"), HasSubstr("Camera.imageScale: im"));
+  EXPECT_THAT(read_error(good + "Camera2.fx: 500\n"),
+              HasSubstr("c.yaml:9: 'Camera2.fx' is of a stereo camera"));
+  EXPECT_THAT(read_error(good + "Stereo.T_c1_c2: [1]\n"), HasSubstr("is of a stereo camera"));
+  EXPECT_THAT(read_error(good + "Camera1.fx: 500\n"),
+              HasSubstr("c.yaml:9: 'Camera1.fx' is one of Camera.fx, Camera1.fx, and the file has "
+                        "another"));
+}
+
+TEST(ReadCamera, RefusesUnknownKeysOfTheCameraByName) {
+  const std::string good = kSettings;
+  for (const char* key : {"Camera.s1", "Camera.skew", "Camera.lappingBegin", "Camera1.xi"}) {
+    EXPECT_EQ(read_error(good + key + ": 1\n"),
+              std::string("c.yaml:9: unknown key '") + key +
+                  "'; remove it if it does not change the lens or the images");
+  }
+}
+
+TEST(ReadCamera, SkipsKeysThatDoNotChangeTheCamera) {
+  EXPECT_EQ(read_error(std::string(kSettings) +
+                       "Camera.name: a\nCamera.fps: 30.0\nCamera.RGB: 1\nCamera.bf: 40.0\n"
+                       "Camera.color_order: RGB\nCamera.ThDepth: 40\nThDepth: 40.0\n"
+                       "Camera.focal_x_baseline: 40\nCamera.depth_threshold: 40\n"
+                       "Stereo.ThDepth: 40.0\nStereo.b: 0.07\nViewer.CameraSize: 0.08\n"
+                       "ORBextractor.nFeatures: 1000\nIMU.T_b_c1: [1, 2]\n"),
+            "no error");
+}
+
+TEST(ReadCamera, ReadsTheKeysOfOpenVslam) {
+  const Camera camera = read_text(
+      "Camera.name: \"TUM RGBD 1\"\nCamera.setup: \"RGBD\"\nCamera.model: \"perspective\"\n"
+      "Camera.fx: 517.3\nCamera.fy: 516.4\nCamera.cx: 318.6\nCamera.cy: 255.3\nCamera.k1: 0.2624\n"
+      "Camera.k2: -0.9531\nCamera.p1: -0.0054\nCamera.p2: 0.0026\nCamera.k3: 1.1633\n"
+      "Camera.fps: 30.0\nCamera.cols: 640\nCamera.rows: 480\nCamera.color_order: \"RGB\"\n"
+      "depthmap_factor: 5000.0\n");
+  EXPECT_EQ(camera.color.width, 640);
+  EXPECT_EQ(camera.color.height, 480);
+  EXPECT_EQ(camera.depth_scale, 5000);
+}
+
+// p1 = 636, a focal length in the wrong place, was accepted without a word.
+TEST(ReadCamera, RefusesNumbersInTheWrongPlace) {
+  EXPECT_THAT(read_error(std::string(kSettings) + "Camera.p1: 636\n"),
+              HasSubstr("c.yaml: camera: no lens has the distortion k1=0 k2=0 p1=636 p2=0 k3=0; "
+                        "check the order (k1, k2, p1, p2, k3)"));
+  EXPECT_THAT(read_error(std::string(kGood) + "distortion: [0.26, -0.95, 1.16, 0.005, 0.002]\n"),
+              HasSubstr("check the order"));
+  std::string text = kGood;
+  text.replace(text.find("cx: 320"), 7, "cx: 700");
+  EXPECT_THAT(read_error(text), HasSubstr("the principal point cx=700 cy=240 is outside"));
+}
+
+// A depth camera of 65536 x 65536 took all memory before the first image was read.
+TEST(ReadCamera, RefusesImagesOfImpossibleSizes) {
+  const std::string depth =
+      "depth:\n  width: 65536\n  height: 65536\n  fx: 65536\n  fy: 65536\n  cx: 32768\n"
+      "  cy: 32768\n  T_color_depth: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n";
+  EXPECT_THAT(read_error(kGood + depth), HasSubstr("image size 65536x65536 is too large"));
+}
+
+TEST(ReadCamera, SkipsAByteOrderMark) {
+  EXPECT_EQ(read_text("\xEF\xBB\xBF" + std::string(kGood)).color.width, 640);
 }
 
 TEST(BuiltinCamera, AreTheFilesOfTheConfigFolder) {

@@ -16,6 +16,7 @@ namespace {
 using testing::Contains;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 std::string open_error(const TinySequence& sequence) {
   return input_error(sequence.path(), [&] { return sequence.open(); });
@@ -59,7 +60,9 @@ TEST(OpenDataset, NamesTheMalformedLine) {
   sequence.write("rgb.txt", "# color\n0.00 rgb/0.png\n0.10\n");
   EXPECT_EQ(open_error(sequence), "rgb.txt:3: expected 'stamp file', found 1 words");
   sequence.write("rgb.txt", "0.00 rgb/0.png\nnan rgb/1.png\n");
-  EXPECT_EQ(open_error(sequence), "rgb.txt:2: 'nan' is not a time stamp in seconds");
+  EXPECT_EQ(open_error(sequence),
+            "rgb.txt:2: 'nan' is not a time stamp in seconds; repair or remove the line, or begin "
+            "it with '#' if it is a heading");
   sequence.write("associations.txt", "0 rgb/0.png 0 depth/0.png\n1 rgb/1.png 1\n");
   EXPECT_EQ(open_error(sequence),
             "associations.txt:2: expected 'stamp file stamp file', found 3 words");
@@ -113,6 +116,16 @@ TEST(OpenDataset, SaysThatImagesLieOutside) {
   sequence.write("rgb.txt", "0.00 ../elsewhere/0.png\n0.10 rgb/../rgb/1.png\n");
   EXPECT_THAT(sequence.open()->notes(),
               Contains(HasSubstr("the images of 1 frames lie outside of the folder")));
+}
+
+// Motion capture that loses its marker writes such lines; the sequence could not be opened.
+TEST(OpenDataset, CountsPosesOfTheGroundTruthThatAreNotFinite) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  sequence.write("groundtruth.txt", "0 0 0 0 0 0 0 1\n1 nan 0 0 0 0 0 1\n");
+  const auto data = sequence.open();
+  EXPECT_EQ(data->reference().size(), 1U);
+  EXPECT_THAT(data->notes(), Contains(StartsWith("groundtruth.txt: 1 of 2 lines have no valid")));
 }
 
 TEST(OpenDataset, ReadsListsWithCarriageReturns) {

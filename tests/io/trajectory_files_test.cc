@@ -86,6 +86,48 @@ TEST_F(TrajectoryFiles, EachErrorNamesItsLine) {
   expect_error("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n", "2: stamp 1 is before the one above");
 }
 
+// "27 of 27 matched" was said of a file of 788 lines whose stamps were rounded to seconds.
+TEST_F(TrajectoryFiles, OfForeignFilesWhatIsLeftOutIsCounted) {
+  const auto trajectory = read_foreign_tum(folder_.write(
+      "poses.txt",
+      "3 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n1 2 0 0 0 0 0 1\n1 3 0 0 0 0 0 1\n"
+      "4 nan nan nan nan nan nan nan\nnan 0 0 0 0 0 0 1\n5 0 0 0 0 0 0 0\n6 0 -inf 0 0 0 0 1\n"
+      "7 1e200 0 0 0 0 0 1\n"));
+  ASSERT_EQ(trajectory.poses.size(), 2U);
+  EXPECT_EQ(trajectory.poses[0].T_world_camera.translation().x(), 1);
+  EXPECT_EQ(trajectory.left_out.repeated, 2U);
+  EXPECT_EQ(trajectory.left_out.invalid, 5U);
+  EXPECT_EQ(trajectory.left_out.total(), 7U);
+  EXPECT_THAT(
+      trajectory.notes,
+      testing::ElementsAre(
+          "poses.txt: stamps out of order; sorted",
+          "poses.txt: 2 duplicated stamps in 9 lines; the later ones are left out",
+          HasSubstr("poses.txt: 5 of 9 lines have no valid pose (values that are not finite")));
+  std::vector<std::string> notes = {"before"};
+  EXPECT_EQ(read_tum_in_any_order(folder_.path() / "poses.txt", notes).size(), 2U);
+  EXPECT_EQ(notes.size(), 4U);
+}
+
+TEST_F(TrajectoryFiles, LinesThatAreNoNumbersAreErrorsOfForeignFilesToo) {
+  for (const char* text : {"1 0 0 0 0 0 0 one\n", "1 0 0 0 0 0 1\n", "x 0 0 0 0 0 0 1\n"}) {
+    EXPECT_THROW(static_cast<void>(read_foreign_tum(folder_.write("p.txt", text))), InputError);
+  }
+}
+
+TEST_F(TrajectoryFiles, ReadsCsvWithoutAHeading) {
+  const auto poses = read("1.5, 1, 2, 3, 0, 0, 0, 1\n2.5,+4,5,1e-400,0,0,0,1\r\n3;0;0;0;0;0;0;1\n");
+  ASSERT_EQ(poses.size(), 3U);
+  EXPECT_EQ(poses[0].T_world_camera.translation(), Vector3(1, 2, 3));
+  EXPECT_EQ(poses[1].T_world_camera.translation(), Vector3(4, 5, 0));
+  EXPECT_EQ(poses[1].stamp.to_string(), "2.5");
+  expect_error("1,0,0,0,0,0,0\n", "1: expected 8 values 'stamp tx ty tz qx qy qz qw', found 7");
+  expect_error("stamp,tx,ty,tz,qx,qy,qz,qw\n", "1: 'stamp' is not a time stamp");
+  expect_error("1 0,5 0 0 0 0 0 1\n", "1: '0,5' has a decimal comma");
+  expect_error("1;0,5;0;0;0;0;0;1\n", "1: '0,5' has a decimal comma");
+  expect_error("1305031102175.3 0 0 0 0 0 0 1\n", "1: '1305031102175.3' is a time in milli");
+}
+
 TEST_F(TrajectoryFiles, MissingFileAndFullDiskAreErrors) {
   EXPECT_THROW(static_cast<void>(read_tum(folder_.path() / "missing.txt")), InputError);
   EXPECT_THROW(write_tum(folder_.path() / "no" / "folder.txt", {}), OutputError);

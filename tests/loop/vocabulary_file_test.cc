@@ -28,6 +28,16 @@ class VocabularyFile : public testing::Test {
     return "none";
   }
 
+  /// Returns the error message, with a line, of reading this text.
+  [[nodiscard]] std::string text_problem(const std::string& text) const {
+    try {
+      static_cast<void>(read_vocabulary(folder_.write("words.voc", text)));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
   TemporaryFolder folder_;
   Vocabulary vocabulary_{3, 3, full_tree(3, 3, 1)};
   std::string bytes_ = vocabulary_bytes(vocabulary_);
@@ -75,9 +85,32 @@ TEST_F(VocabularyFile, SaysWhatIsWrong) {
   wide[21] = 2;
   EXPECT_THAT(problem_of(wide), HasSubstr("descriptors of 512 bits"));
   EXPECT_THAT(problem_of(std::string(100, 'x')), HasSubstr("no vocabulary"));
+  EXPECT_THAT(problem_of("\x1f\x8b\b"), HasSubstr("no vocabulary: it begins neither"));
   EXPECT_THROW(static_cast<void>(read_vocabulary(folder_.path() / "none.voc")), InputError);
   EXPECT_THROW(static_cast<void>(read_vocabulary(folder_.path())), InputError);
   EXPECT_THROW(write_vocabulary(folder_.path() / "no" / "folder.voc", vocabulary_), OutputError);
+}
+
+// "is damaged" left open whether a binary file or ORB-SLAM's text was meant.
+TEST_F(VocabularyFile, SaysAsWhatTheFileWasRead) {
+  EXPECT_THAT(problem_of(bytes_ + "x"), HasSubstr("(read as a binary vocabulary)"));
+  EXPECT_THAT(problem_of(bytes_.substr(0, 20)), HasSubstr("(read as a binary vocabulary)"));
+  EXPECT_THAT(text_problem("10 6\n"), AllOf(HasSubstr("words.voc:1: the scoring"),
+                                            HasSubstr("(read as ORB-SLAM's text vocabulary)")));
+}
+
+TEST_F(VocabularyFile, CountsOfTheHeaderAreComparedWithTheSizeOfTheFile) {
+  std::string many = bytes_;
+  for (std::size_t i = 24; i < 32; ++i) many[i] = '\xFF';  // nodes and words
+  EXPECT_THAT(problem_of(many), HasSubstr("(4294967295 nodes, 4294967295 words): it is cut off"));
+}
+
+TEST_F(VocabularyFile, TextMayBeginWithAByteOrderMark) {
+  write_vocabulary_text(folder_.path() / "words.txt", vocabulary_);
+  const auto file =
+      folder_.write("marked.txt", "\xEF\xBB\xBF" + read_text(folder_.path() / "words.txt"));
+  EXPECT_EQ(vocabulary_bytes(read_vocabulary(file)), bytes_);
+  EXPECT_THAT(problem_of(std::string("1\0000\0", 4)), HasSubstr("is UTF-16 text"));
 }
 
 }  // namespace

@@ -77,6 +77,17 @@ TEST(VocabularyText, MistakesAreReportedWithTheirLine) {
   EXPECT_THAT(problem_of(head + node_line(0, 1, kZeros, "x")), HasSubstr("weight is missing"));
 }
 
+// DBoW2 writes weights as doubles.
+TEST(VocabularyText, AWeightThatIsTooSmallForAFloatIsZero) {
+  for (const char* weight : {"1e-60", "4.94e-320"}) {
+    const auto vocabulary =
+        vocabulary_from_text("10 6 0 0\n" + node_line(0, 1, kZeros, weight), "words.txt");
+    EXPECT_EQ(vocabulary.weight(0), 0) << weight;
+  }
+  EXPECT_THAT(problem_of("10 6 0 0\n" + node_line(0, 1, kZeros, "1e60")),
+              HasSubstr("words.txt:2: the weight is 1e60, which is too large"));
+}
+
 TEST(VocabularyText, TruncationIsFound) {
   // In the middle of a line, and before all children of a node. The format has no other check.
   const std::string text = small_text();

@@ -75,6 +75,25 @@ TEST(WorldFileError, SizesMustBePositive) {
   EXPECT_THAT(error_with("duration: 8", "duration: 0"), HasSubstr("w.yaml:13: duration: 0 must"));
 }
 
+// A world of 1e15 s, or as many metres, took all memory or all time.
+TEST(WorldFileError, NumbersThatWouldTakeAllMemoryOrTimeAreRefused) {
+  EXPECT_EQ(error_with("duration: 8", "duration: 1e15"),
+            "w.yaml:13: duration: 1e+15 s at speed 1 are more than a day; give a shorter path");
+  EXPECT_THAT(error_with("duration: 8", "duration: 8\n  speed: 1e-12"),
+              HasSubstr("w.yaml:13: duration: 8 s at speed 1e-12 are more than a day"));
+  EXPECT_EQ(error_with("[1, 2, 0.4]", "[1, 2e9, 0.4]"),
+            "w.yaml:5: box: the size 2000000000 must be at most 10000 m");
+  EXPECT_EQ(error_with("sheet: [2, 1]", "sphere: 1e300"),
+            "w.yaml:8: sphere: the size 1e+300 must be at most 10000 m");
+  EXPECT_EQ(error_with("position: [0.4, 0, 1]", "position: [1e12, 0, 1]"),
+            "w.yaml:17: position: coordinates must be within 10000 m");
+  EXPECT_THAT(error_with("scale: 0.3", "scale: 1e-300"),
+              HasSubstr("w.yaml:11: scale: 1e-300 must"));
+  EXPECT_THAT(error_with("    material: oak",
+                         "    swing: {amplitude: [0, 1, 0], period: 1e-300}\n    material: oak"),
+              HasSubstr("period: 1e-300 must be in"));
+}
+
 TEST(WorldFileError, NumbersMustBeNumbers) {
   EXPECT_EQ(error_with("[0, 3, 0.5]", "[0, three, 0.5]"), "w.yaml:6: at: expected a number");
   EXPECT_EQ(error_with("[0, 3, 0.5]", "[0, 3]"), "w.yaml:6: at: expected a list of 3 numbers");
