@@ -23,7 +23,7 @@ constexpr std::size_t kChecksumAt = 32;
 constexpr std::size_t kHeaderBytes = 40;
 
 template <typename Unsigned>
-void append(std::string& bytes, Unsigned value) {
+void append_bytes(std::string& bytes, Unsigned value) {
   for (std::size_t i = 0; i < sizeof(value); ++i) {
     bytes.push_back(static_cast<char>(static_cast<unsigned char>(value >> (8 * i))));
   }
@@ -159,20 +159,20 @@ std::string vocabulary_bytes(const Vocabulary& vocabulary) {
   for (const auto value : {std::size_t{kVersion}, static_cast<std::size_t>(vocabulary.branching()),
                            static_cast<std::size_t>(vocabulary.levels()), Descriptor::kBits,
                            vocabulary.nodes(), vocabulary.words()}) {
-    append(bytes, static_cast<std::uint32_t>(value));
+    append_bytes(bytes, static_cast<std::uint32_t>(value));
   }
-  append(bytes, std::uint64_t{0});
+  append_bytes(bytes, std::uint64_t{0});
   std::string children(vocabulary.nodes(), '\0');
   for (const auto& node : nodes) ++children[node.parent];
   bytes += children;
   for (const auto& node : nodes) {
-    for (const std::uint64_t word : node.descriptor.words) append(bytes, word);
+    for (const std::uint64_t word : node.descriptor.words) append_bytes(bytes, word);
   }
   for (const auto& node : nodes) {
-    if (node.is_word) append(bytes, std::bit_cast<std::uint32_t>(node.weight));
+    if (node.is_word) append_bytes(bytes, std::bit_cast<std::uint32_t>(node.weight));
   }
   std::string sum;
-  append(sum, checksum(bytes));
+  append_bytes(sum, checksum(bytes));
   bytes.replace(kChecksumAt, sum.size(), sum);
   return bytes;
 }

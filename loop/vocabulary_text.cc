@@ -100,7 +100,7 @@ VocabularyNode read_node(LineReader& line, std::uint32_t index) {
   return node;
 }
 
-void append(std::string& text, std::uint32_t number) {
+void append_digits(std::string& text, std::uint32_t number) {
   std::array<char, 16> digits{};
   const auto result = std::to_chars(digits.begin(), digits.end(), number);
   text.append(digits.data(), result.ptr);
@@ -135,9 +135,9 @@ void write_vocabulary_text(const std::filesystem::path& file, const Vocabulary& 
   constexpr std::size_t kUsualLine = 140;
   text.reserve(kUsualLine * vocabulary.nodes());
   for (const VocabularyNode& node : vocabulary.tree()) {
-    append(text, node.parent);
-    append(text, node.is_word ? 1 : 0);
-    for (const std::uint8_t byte : to_bytes(node.descriptor)) append(text, byte);
+    append_digits(text, node.parent);
+    append_digits(text, node.is_word ? 1 : 0);
+    for (const std::uint8_t byte : to_bytes(node.descriptor)) append_digits(text, byte);
     fmt::format_to(std::back_inserter(text), "{}\n", node.weight);
   }
   write_file(file, text);

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/files.h"
+#include "cvo_slam/core/text_files.h"
 #include "cvo_slam/io/dataset/image_lists_internal.h"
 #include "cvo_slam/io/image_files_internal.h"
 #include "cvo_slam/io/text_internal.h"
@@ -236,7 +236,7 @@ std::optional<Path> find_reference_file(const Path& folder) {
 std::string recording_name(const Path& folder) {
   const Path list = folder / "rgb.txt";
   if (!std::filesystem::is_regular_file(list)) return {};
-  std::istringstream text(read_file(list));
+  std::istringstream text(read_text_file(list));
   for (std::string line; std::getline(text, line) && line.starts_with('#');) {
     const std::size_t key = line.find("file:");
     const std::size_t open = key == std::string::npos ? key : line.find('\'', key);
