@@ -41,7 +41,7 @@ constexpr std::array kFiles = {
 constexpr const char* kMark = ".cvo_slam_run";
 
 /// Returns the poses that track() returned at the time, of all submaps.
-Trajectory online_trajectory(const std::vector<FrameRecord>& records) {
+Trajectory answers_of_track(const std::vector<FrameRecord>& records) {
   Trajectory trajectory;
   for (const auto& record : records) {
     if (record.status == TrackingStatus::kTracked) {
@@ -88,7 +88,7 @@ void remove_run(const std::filesystem::path& folder) {
 
 void write_run(const std::filesystem::path& folder, RunReport& report) {
   write_tum(folder / "trajectory.txt", report.trajectory);
-  write_tum(folder / "trajectory_online.txt", online_trajectory(report.run.records));
+  write_tum(folder / "trajectory_online.txt", answers_of_track(report.run.records));
   write_file(folder / "frames.csv", frames_csv(report.run));
   ProgramOptions options = report.options;
   write_file(folder / "config.yaml", options_to_yaml(describe(options), true));

@@ -242,7 +242,7 @@ class Quality {
         "{:4} {:4} overlap {:.2f} score {:.3f} {:.2f} matches {} inliers {} visible "
         "{:.2f} cover {:.2f} error {:.3f} m {:.4f} rad {} {}\n",
         judged.older, judged.newer, judged.overlap, judged.match.score,
-        judged.match.normalized_score, v.matches, v.inliers, v.visible_share, v.coverage,
+        judged.match.normalized_score, v.matches, v.inliers, v.inlier_share, v.coverage,
         judged.translation, judged.rotation,
         v.accepted ? (judged.is_correct() ? "ACCEPTED" : "FALSE") : "rejected:", v.reason);
     if (judged.refined.status == RegistrationStatus::kFailed) return;

@@ -37,14 +37,13 @@ bool FieldOfView::contains(const Vector3& point) const {
 }
 
 double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
-                     const PinholeCamera& camera) {
+                     const FieldOfView& field_of_view) {
   constexpr std::size_t kPoints = 100;
   const std::size_t n = std::min(kPoints, cloud.size());
   if (n == 0) return 0;
-  const FieldOfView view(camera);
   std::size_t visible = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (view.contains(T_camera_cloud * cloud.position(i))) ++visible;
+    if (field_of_view.contains(T_camera_cloud * cloud.position(i))) ++visible;
   }
   return static_cast<double>(visible) / static_cast<double>(n);
 }

@@ -52,6 +52,6 @@ class FieldOfView {
 /// Only its first hundred points count: those of a selected cloud are spread over the image as all
 /// are, and a hundred give the share within a few hundredths. 0 for a cloud without points.
 [[nodiscard]] double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
-                                   const PinholeCamera& camera);
+                                   const FieldOfView& field_of_view);
 
 }  // namespace cvo_slam

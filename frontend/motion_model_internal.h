@@ -15,11 +15,11 @@ namespace cvo_slam {
 class MotionModel {
  public:
   /// Forgets the velocity.
-  void stop() { velocity_.reset(); }
+  void forget_velocity() { velocity_.reset(); }
   /// Returns true if the velocity is known.
-  [[nodiscard]] bool is_moving() const { return velocity_.has_value(); }
+  [[nodiscard]] bool has_velocity() const { return velocity_.has_value(); }
   /// Replaces the velocity by one that was found otherwise.
-  void assume(const Vector6& velocity) { velocity_ = velocity; }
+  void set_velocity(const Vector6& velocity) { velocity_ = velocity; }
   /// Takes the pose of a tracked frame, and the velocity from the pose before.
   void update(const Timestamp& stamp, const SE3& T_world_camera);
 

@@ -55,12 +55,14 @@ struct Tracker::Impl {
       : camera(camera_in),
         options(checked(options_in)),
         selector(checked(camera), options.selection),
+        field_of_view(camera.color),
         registration(options.registration, options.threads),
         policy(options.keyframe) {}
 
   Camera camera;
   TrackerOptions options;
   PointSelector selector;
+  FieldOfView field_of_view;
   Registration registration;  // to the current keyframe
   MotionModel motion;
   ExposureGain exposure;
@@ -72,11 +74,11 @@ struct Tracker::Impl {
   PointCloud keyframe_points;
   std::string image_problem = "no frame was given yet";  // why its images are of no use
   FrameRecord blank;                                     // its record before anything is known
-  bool is_tracked = false;                               // true if it is last_tracked now
+  bool frame_is_last_tracked = false;                    // true if it is in last_tracked now
   PreparedFrame last_tracked;
   std::optional<CurrentKeyframe> keyframe;
   std::optional<TrackerKeyframe> pending;  // made of the last tracked frame, not yet returned
-  bool is_taken = false;                   // true if that was returned by take_keyframe()
+  bool pending_was_taken = false;          // true if that was returned by take_keyframe()
   int submap = 0;
   int lost_in_a_row = 0;
 
@@ -120,15 +122,18 @@ TrackedFrame Tracker::Impl::track(const RgbdFrame& given) {
     record = reject(std::move(record), registered.fault);
     if (lost_in_a_row < options.lost.restart_after) return {std::move(record), std::nullopt};
   }
+  // The pending keyframe is final: frames after this one are registered to another keyframe or to
+  // this one as it is. It can be handed out.
   std::optional<TrackerKeyframe> final_keyframe = std::exchange(pending, std::nullopt);
   if (registered.is_believed()) return {accept(std::move(record)), std::move(final_keyframe)};
+  // Lost for too long: a new submap starts where the camera was last.
   record.submap = ++submap;
   return {start_submap(std::move(record), motion.last_pose()), std::move(final_keyframe)};
 }
 
 FrameRecord Tracker::Impl::resume(const SE3& T_world_camera) {
   FrameRecord record = blank;
-  record.reason = is_tracked ? "the frame is tracked already" : select_points_of_frame();
+  record.reason = frame_is_last_tracked ? "the frame is tracked already" : select_points_of_frame();
   record.points = seen.size();
   if (!record.reason.empty()) return record;
   record.submap = ++submap;
@@ -139,7 +144,8 @@ FrameRecord Tracker::Impl::resume(const SE3& T_world_camera) {
 PointCloud Tracker::Impl::select_keyframe_points() {
   PointCloud cloud;
   if (!image_problem.empty()) return cloud;
-  selector.select(is_tracked ? last_tracked : frame, options.keyframe_points, SE3(), cloud);
+  selector.select(frame_is_last_tracked ? last_tracked : frame, options.keyframe_points, SE3(),
+                  cloud);
   return cloud;
 }
 
@@ -148,7 +154,7 @@ void Tracker::Impl::prepare(const RgbdFrame& given) {
   blank.index = given.index;
   blank.stamp = given.stamp;
   blank.submap = submap;
-  is_tracked = false;
+  frame_is_last_tracked = false;
   image_problem = check_images(given, camera);
   if (!image_problem.empty()) return;
   frame = selector.prepare(given, std::move(frame));
@@ -182,7 +188,10 @@ void Tracker::Impl::undo_shutter(const Vector6& velocity, PointCloud& cloud) con
 }
 
 /// Registers from the predicted pose; if that fails, with all length scales; if that fails too,
-/// without the velocity; and at last to the last tracked frame, the most similar one there is.
+/// without the velocity; and at last to the last tracked frame, the most similar one there is. That
+/// attempt makes it the keyframe, which it stays even if the attempt fails. A failure also forgets
+/// the velocity. The first success with a keyframe that was made without it, as at a start, makes
+/// that keyframe again.
 Registered Tracker::Impl::register_frame() {
   const Timestamp stamp = frame.images.stamp;
   if (stamp <= motion.last_stamp()) {
@@ -192,12 +201,12 @@ Registered Tracker::Impl::register_frame() {
     return none;
   }
   const bool predict = options.prediction == Prediction::kConstantVelocity;
-  const bool moving = predict && motion.is_moving();
-  const int skip = moving ? options.recovery_scales : 0;
+  const bool from_velocity = predict && motion.has_velocity();
+  const int skip = from_velocity ? options.recovery_scales : 0;
   const SE3 T_init = predict ? motion.predict(stamp) : keyframe->T_world_camera;
   Registered registered = register_from(T_init, skip);
   if (!registered.is_believed() && skip > 0) registered = register_from(T_init, 0);
-  if (!registered.is_believed() && moving) registered = register_from(motion.last_pose(), 0);
+  if (!registered.is_believed() && from_velocity) registered = register_from(motion.last_pose(), 0);
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
     make_keyframe();
     registered = register_from(motion.last_pose(), 0);
@@ -206,7 +215,7 @@ Registered Tracker::Impl::register_frame() {
   if (registered.is_believed() && predict && keyframe->lacks_velocity) {
     registered = register_to_remade_keyframe(registered);
   }
-  if (!registered.is_believed()) motion.stop();
+  if (!registered.is_believed()) motion.forget_velocity();
   return registered;
 }
 
@@ -240,7 +249,7 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
 /// motion to the frame that was just registered to it, and registers that frame, whose points are
 /// selected again too.
 Registered Tracker::Impl::register_to_remade_keyframe(const Registered& first) {
-  motion.assume(motion.velocity_to(frame.images.stamp, first.T_world_camera));
+  motion.set_velocity(motion.velocity_to(frame.images.stamp, first.T_world_camera));
   make_keyframe();
   select(frame, options.points, seen);
   Registered registered = register_from(first.T_world_camera, options.recovery_scales);
@@ -248,6 +257,8 @@ Registered Tracker::Impl::register_to_remade_keyframe(const Registered& first) {
   return registered;
 }
 
+/// Takes the pose, and makes the frame a keyframe if the policy says so (`points` are those of
+/// register_from()).
 FrameRecord Tracker::Impl::accept(FrameRecord record) {
   record.status = TrackingStatus::kTracked;
   keep_as_last_tracked(record.T_world_camera);
@@ -255,7 +266,7 @@ FrameRecord Tracker::Impl::accept(FrameRecord record) {
     record.keyframe_reason = "previous frame";
   } else {
     const RegistrationResult& result = record.registration;
-    const double visible = visible_share(points, result.T_fixed_moving, camera.color);
+    const double visible = visible_share(points, result.T_fixed_moving, field_of_view);
     record.keyframe_reason = policy.reason(result, visible);
   }
   if (!record.keyframe_reason.empty()) make_keyframe();
@@ -274,11 +285,12 @@ FrameRecord Tracker::Impl::start_submap(FrameRecord record, const SE3& T_world_c
   record.registration.overlap = 1;
   record.registration.cos_theta = 1;
   keep_as_last_tracked(T_world_camera);
-  motion.stop();  // the camera did not move here from the last pose before
+  motion.forget_velocity();  // the camera did not move here from the last pose before
   make_keyframe();
   return record;
 }
 
+/// Counts a lost frame.
 FrameRecord Tracker::Impl::reject(FrameRecord record, const std::string& reason) {
   ++lost_in_a_row;
   record.status = TrackingStatus::kLost;
@@ -286,24 +298,26 @@ FrameRecord Tracker::Impl::reject(FrameRecord record, const std::string& reason)
   return record;
 }
 
+/// Moves the frame in work to last_tracked; `frame` is only memory afterwards.
 void Tracker::Impl::keep_as_last_tracked(const SE3& T_world_camera) {
   lost_in_a_row = 0;
   std::swap(frame, last_tracked);
   motion.update(last_tracked.images.stamp, T_world_camera);
-  is_tracked = true;
-  is_taken = false;
+  frame_is_last_tracked = true;
+  pending_was_taken = false;
   if (keyframe) keyframe->is_last_tracked = false;
 }
 
 /// Makes the last tracked frame the keyframe, or makes that one again with the motion known now.
 void Tracker::Impl::make_keyframe() {
   const RgbdFrame& images = last_tracked.images;
-  keyframe = {images.index, motion.last_pose(), true, !motion.is_moving()};
+  keyframe = {images.index, motion.last_pose(), true, !motion.has_velocity()};
   policy.keyframe_made();
   select(last_tracked, options.keyframe_points, keyframe_points);
   undo_shutter(motion.velocity(), keyframe_points);
   registration.set_fixed(keyframe_points);
-  if (is_taken) return;
+  // take_keyframe() has handed this one out; made again, it serves the registration only.
+  if (pending_was_taken) return;
   // A copy has no more memory than it needs.
   pending = {images.index, std::make_shared<const PointCloud>(keyframe_points), images};
 }
@@ -320,7 +334,7 @@ TrackedFrame Tracker::track(const RgbdFrame& frame) { return impl_->track(frame)
 FrameRecord Tracker::resume(const SE3& T_world_camera) { return impl_->resume(T_world_camera); }
 
 std::optional<TrackerKeyframe> Tracker::take_keyframe() {
-  if (impl_->pending) impl_->is_taken = true;
+  if (impl_->pending) impl_->pending_was_taken = true;
   return std::exchange(impl_->pending, std::nullopt);
 }
 

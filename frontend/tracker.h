@@ -119,8 +119,9 @@ struct FrameRecord {
   TrackingStatus status = TrackingStatus::kLost;
   std::string reason;  ///< why the frame is lost; empty if it is tracked
   SE3 T_world_camera;  ///< valid if the frame is tracked
-  /// Number of the submap. A new one starts where tracking resumes after too long a loss. Poses of
-  /// different submaps have different worlds.
+  /// Number of the submap of the tracker; in the answers of Slam::track() the name of the joined
+  /// submap. A new one starts where tracking resumes after too long a loss. Poses of different
+  /// submaps have different worlds.
   int submap = 0;
   std::size_t keyframe = 0;     ///< index of the frame that this one was registered to
   std::string keyframe_reason;  ///< why the frame became a keyframe; empty if it did not

@@ -19,8 +19,8 @@ void KeyframeDatabase::add(const BagOfWords& bag) {
         fmt::format("keyframe with the word {}: the vocabulary has {}; use the one that made it",
                     bag.back().word, entries_.size()));
   }
-  const auto keyframe = static_cast<std::uint32_t>(size());
-  for (const WordWeight& word : bag) entries_[word.word].push_back({keyframe, word.weight});
+  const auto position = static_cast<std::uint32_t>(size());
+  for (const WordWeight& word : bag) entries_[word.word].push_back({position, word.weight});
   sums_.emplace_back();
 }
 
@@ -29,18 +29,18 @@ std::vector<KeyframeMatch> KeyframeDatabase::query(const BagOfWords& bag, std::s
   for (const WordWeight& word : bag) {
     if (word.word >= entries_.size()) continue;
     for (const Entry& entry : entries_[word.word]) {
-      if (entry.keyframe >= end) break;
-      Sum& sum = sums_[entry.keyframe];
-      if (sum.shared_words++ == 0) touched.push_back(entry.keyframe);
+      if (entry.position >= end) break;
+      Sum& sum = sums_[entry.position];
+      if (sum.shared_words++ == 0) touched.push_back(entry.position);
       sum.score += std::min(word.weight, entry.weight);
     }
   }
   std::sort(touched.begin(), touched.end());
   std::vector<KeyframeMatch> matches;
   matches.reserve(touched.size());
-  for (const std::uint32_t keyframe : touched) {
-    matches.push_back({keyframe, sums_[keyframe].score, sums_[keyframe].shared_words});
-    sums_[keyframe] = Sum();
+  for (const std::uint32_t position : touched) {
+    matches.push_back({position, sums_[position].score, sums_[position].shared_words});
+    sums_[position] = Sum();
   }
   return matches;
 }
@@ -57,12 +57,12 @@ std::vector<CandidateGroup> group_candidates(const std::vector<KeyframeMatch>& m
                                              std::size_t gap) {
   std::vector<CandidateGroup> groups;
   for (const KeyframeMatch& match : matches) {
-    if (groups.empty() || match.keyframe > groups.back().last + gap) {
-      groups.push_back({match.keyframe, match.keyframe, match, match.score});
+    if (groups.empty() || match.position > groups.back().last + gap) {
+      groups.push_back({match.position, match.position, match, match.score});
       continue;
     }
     CandidateGroup& group = groups.back();
-    group.last = match.keyframe;
+    group.last = match.position;
     group.total_score += match.score;
     if (match.score > group.best.score) group.best = match;
   }

@@ -103,7 +103,7 @@ std::vector<LoopMatch> LoopDetector::verify(const Appearance& query,
   std::vector<LoopMatch> matches;
   for (const CandidateGroup& group : groups) {
     const KeyframeMatch& best = group.best;
-    const Appearance& keyframe = *keyframes_[best.keyframe];
+    const Appearance& keyframe = *keyframes_[best.position];
     matches.push_back({.query = query.id,
                        .keyframe = keyframe.id,
                        .score = best.score,

@@ -46,8 +46,9 @@ struct LoopMatch {
   std::size_t query = 0;     ///< id of the image
   std::size_t keyframe = 0;  ///< id of the keyframe
   double score = 0;          ///< bag_score() of the two
-  /// The score divided by that of the image and the keyframe before it: 1 means as similar as
-  /// neighbours.
+  /// The score divided by that with the preceding keyframe, or for a lost image (relocalize()) by
+  /// the best score; the divisor is not less than CandidateOptions::min_neighbor_score. 1 means as
+  /// similar as neighbours.
   double normalized_score = 0;
   int shared_words = 0;
   Verification verification;  ///< a is the keyframe and b the image: T_a_b is T_keyframe_query
@@ -55,7 +56,7 @@ struct LoopMatch {
 
 /// A keyframe that shares words with an image.
 struct KeyframeMatch {
-  std::size_t keyframe = 0;  ///< counted from 0 in the order of add()
+  std::size_t position = 0;  ///< of the keyframe: counted from 0 in the order of add()
   double score = 0;          ///< bag_score()
   int shared_words = 0;
 
@@ -83,7 +84,7 @@ class KeyframeDatabase {
 
  private:
   struct Entry {
-    std::uint32_t keyframe = 0;
+    std::uint32_t position = 0;
     float weight = 0;
   };
   struct Sum {
@@ -91,8 +92,8 @@ class KeyframeDatabase {
     int shared_words = 0;
   };
 
-  std::vector<std::vector<Entry>> entries_;  // indexed by word, keyframes ascending
-  std::vector<Sum> sums_;                    // indexed by keyframe; zero between queries
+  std::vector<std::vector<Entry>> entries_;  // indexed by word, positions ascending
+  std::vector<Sum> sums_;                    // indexed by position; zero between queries
 };
 
 /// Place recognition: finds earlier keyframes by their visual words and verifies them by geometry.
@@ -100,7 +101,10 @@ class KeyframeDatabase {
 ///   LoopDetector detector(camera);
 ///   for (each keyframe) {
 ///     auto appearance = detector.extract(frame);
-///     for (const LoopMatch& match : detector.find_loops(*appearance)) ...
+///     for (const LoopMatch& match : detector.find_loops(*appearance)) {
+///       if (!match.verification.accepted) continue;
+///       ...
+///     }
 ///     detector.add(appearance);
 ///   }
 ///
@@ -119,6 +123,7 @@ class LoopDetector {
 
   /// Returns the keyframes whose place the next keyframe, not yet added, may show, all older than
   /// the newest CandidateOptions::min_gap: the best match of each place, the likeliest place first.
+  /// Matches that verification rejects are among them: test LoopMatch::verification.accepted.
   [[nodiscard]] std::vector<LoopMatch> find_loops(const Appearance& query);
   /// Returns the same for an image from anywhere, e.g. when tracking is lost; searches all
   /// keyframes.

@@ -108,8 +108,8 @@ PoseFit fit_pose(const SE3& start, const std::vector<PointPair>& pairs, const Ap
   return fit;
 }
 
-/// Returns Verification::visible_share, of the image with fewer visible features.
-double visible_share(const PoseFit& fit) {
+/// Returns Verification::inlier_share, of the image with fewer visible features.
+double inlier_share(const PoseFit& fit) {
   const auto visible =
       std::max<std::size_t>(1, std::min(fit.in_a.visible.size(), fit.in_b.visible.size()));
   return static_cast<double>(fit.inliers.size()) / static_cast<double>(visible);
@@ -157,9 +157,9 @@ std::string problem_of(const Verification& result, std::size_t pairs,
     return fmt::format("{} inliers of {} matches; {} needed", result.inliers, pairs,
                        options.min_inliers);
   }
-  if (result.visible_share < options.min_visible_share) {
+  if (result.inlier_share < options.min_visible_share) {
     return fmt::format("{:.2f} of the features that both should see match; {:.2f} needed",
-                       result.visible_share, options.min_visible_share);
+                       result.inlier_share, options.min_visible_share);
   }
   if (result.coverage < options.min_coverage) {
     return fmt::format("{:.2f} of the image cells that both should see match; {:.2f} needed",
@@ -241,7 +241,7 @@ Verification LoopVerifier::verify(const Appearance& a, const Appearance& b) cons
                       .information = fit.estimate.information,
                       .matches = matches.size(),
                       .inliers = fit.inliers.size(),
-                      .visible_share = visible_share(fit),
+                      .inlier_share = inlier_share(fit),
                       .coverage = coverage(fit, camera_.color),
                       .pixels = pixels_of(fit.inliers)};
   result.reason = problem_of(result, pairs.size(), options_);

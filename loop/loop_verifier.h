@@ -66,7 +66,7 @@ struct Verification {
   Matrix6 information = Matrix6::Zero();  ///< of a right perturbation of T_a_b
   std::size_t matches = 0;                ///< matches by words with a common rotation
   std::size_t inliers = 0;                ///< among the features matched with the known pose
-  double visible_share = 0;               ///< inliers over the features that both images should see
+  double inlier_share = 0;                ///< inliers over the features that both images should see
   /// Share of the image cells in which features should be seen that have an inlier, in the worse of
   /// the two images. An object that is in two places, such as a poster, explains its own cells
   /// only.

@@ -24,11 +24,12 @@ bool is_one_place(const SE3& a, const SE3& b) {
 /// lost, or within what is known of its motion.
 bool is_reachable(const LoopMatch& match, const Timestamp& now, const MapState& map,
                   const RelocalizationOptions& options) {
-  const std::size_t older = map.keyframes.position_of(match.keyframe);
-  const std::size_t newest = map.keyframes.size() - 1;
-  const SE3 T_older_newest = map.graph.pose(older).inverse() * map.graph.pose(newest);
+  const std::size_t older_position = map.keyframes.position_of(match.keyframe);
+  const std::size_t newest_position = map.keyframes.size() - 1;
+  const SE3 T_older_newest =
+      map.graph.pose(older_position).inverse() * map.graph.pose(newest_position);
   if (is_one_place(T_older_newest, match.verification.T_a_b)) return true;
-  const auto prior = prior_across_gaps(map, older, now, options);
+  const auto prior = prior_across_gaps(map, older_position, now, options);
   if (!prior) return false;
   const Eigen::Matrix<double, 6, 1> error =
       (prior->T_older_newer.inverse() * match.verification.T_a_b).log();
@@ -79,7 +80,7 @@ std::string ambiguity_of_registration(const LoopMatch& match, double cos_theta,
                                       const RelocalizationOptions& options) {
   const Verification& v = match.verification;
   const double usual = map.usual_cos_theta.mean();
-  const double agreement = 2 * (v.coverage + v.visible_share) + (usual > 0 ? cos_theta / usual : 0);
+  const double agreement = 2 * (v.coverage + v.inlier_share) + (usual > 0 ? cos_theta / usual : 0);
   if (agreement >= options.min_agreement || is_reachable(match, now, map, options)) return {};
   return fmt::format("agreement {:.2f}; {:.2f} needed so far from where the camera was lost",
                      agreement, options.min_agreement);

@@ -18,11 +18,13 @@ SE3 final_pose(const TrackedPose& frame, const FrameHistory& history, const MapS
   const SE3 T_world_camera = T_world_keyframe * frame.T_keyframe_camera;
   const TrackedPose* const next = history.next_keyframe(frame);
   if (next == nullptr) return T_world_camera.normalized();
+  // Where tracking alone puts the next keyframe.
   const SE3 T_world_next_tracked = T_world_keyframe * next->T_keyframe_camera;
-  const SE3 correction = T_world_next_tracked.inverse() * pose_of(next->frame);
+  const SE3 T_tracked_final = T_world_next_tracked.inverse() * pose_of(next->frame);
+  // Shared out by time, see the header.
   const Timestamp begin = history.frame(frame.keyframe).stamp;
   const double share = seconds_between(begin, frame.stamp) / seconds_between(begin, next->stamp);
-  return (T_world_camera * SE3::exp(share * correction.log())).normalized();
+  return (T_world_camera * SE3::exp(share * T_tracked_final.log())).normalized();
 }
 
 FrameRecord record_of(const TrackedPose& frame, int submap, const SE3& T_world_camera) {

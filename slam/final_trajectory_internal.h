@@ -47,7 +47,8 @@ class FrameHistory {
   std::vector<std::size_t> keyframes_;  // that were handed to the mapper
 };
 
-/// Every frame as track() answered at the time.
+/// Every frame with the pose and the submap that track() answered; those of the submap with most
+/// frames.
 [[nodiscard]] Trajectory online_trajectory(const FrameHistory& history);
 
 /// Every frame attached to its keyframe as the map has that now. What the map has corrected between

@@ -25,7 +25,7 @@ double largest_rotation(const Matrix6& covariance) {
 }  // namespace
 
 PathSearch::PathSearch(const MapGraph& graph, std::size_t source, std::span<const Gap> gaps)
-    : graph_(graph), gaps_(gaps), edges_(graph.graph().edges().size()) {
+    : graph_(graph), gaps_(gaps), edge_count_(graph.graph().edges().size()) {
   reached_[source].variance = 0;
   open_.emplace(0, source);
 }
@@ -48,7 +48,7 @@ void PathSearch::leave(std::size_t position) {
   const Matrix6 covariance = reached_[position].covariance;
   const PoseGraph& graph = graph_.graph();
   for (const std::size_t i : graph.edges_of(position)) {
-    if (i >= edges_) break;
+    if (i >= edge_count_) break;  // edges_of() ascends: the rest was added later
     const SE3& T_from_to = graph.edges()[i].T_from_to;
     const auto [from, to] = graph.ends()[i];
     if (position == from) {
@@ -65,22 +65,22 @@ void PathSearch::leave(std::size_t position) {
   }
 }
 
-void PathSearch::step(const Matrix6& covariance, std::size_t target, const SE3& T_source_target,
+void PathSearch::step(const Matrix6& covariance, std::size_t target, const SE3& T_position_target,
                       const Matrix6& step_covariance) {
   Reached& reached = reached_[target];
   if (reached.settled) return;
-  const Matrix6 sum = transformed(covariance, T_source_target.inverse()) + step_covariance;
+  const Matrix6 sum = transformed(covariance, T_position_target.inverse()) + step_covariance;
   if (reached.variance <= sum.trace()) return;
   reached.covariance = sum;
   reached.variance = sum.trace();
   open_.emplace(reached.variance, target);
 }
 
-PairPrior graph_prior(const MapGraph& graph, std::size_t older, std::size_t newest,
-                      const Matrix6& covariance) {
-  const SE3 T_older_newer = graph.pose(older).inverse() * graph.pose(newest);
-  const Matrix6 adjoint = T_older_newer.inverse().adjoint();
-  return {T_older_newer, adjoint * covariance * adjoint.transpose()};
+PairPrior graph_prior(const MapGraph& graph, std::size_t older_position,
+                      std::size_t newest_position, const Matrix6& covariance) {
+  const SE3 T_older_newer = graph.pose(older_position).inverse() * graph.pose(newest_position);
+  // The given covariance is of the way from the newest to the older one: turned round here.
+  return {T_older_newer, transformed(covariance, T_older_newer.inverse())};
 }
 
 Matrix6 untracked_covariance(double seconds, const RelocalizationOptions& options) {
@@ -92,13 +92,14 @@ Matrix6 untracked_covariance(double seconds, const RelocalizationOptions& option
   return covariance;
 }
 
-std::optional<PairPrior> prior_across_gaps(const MapState& map, std::size_t older,
+std::optional<PairPrior> prior_across_gaps(const MapState& map, std::size_t older_position,
                                            const Timestamp& now,
                                            const RelocalizationOptions& options) {
-  const std::size_t newest = map.keyframes.size() - 1;
-  const auto covariance = PathSearch(map.graph, newest, map.gaps).covariance_to(older);
+  const std::size_t newest_position = map.keyframes.size() - 1;
+  const auto covariance =
+      PathSearch(map.graph, newest_position, map.gaps).covariance_to(older_position);
   if (!covariance) return std::nullopt;
-  PairPrior prior = graph_prior(map.graph, older, newest, *covariance);
+  PairPrior prior = graph_prior(map.graph, older_position, newest_position, *covariance);
   const double seconds = std::max(0.0, seconds_between(map.keyframes.newest().stamp, now));
   prior.covariance += untracked_covariance(seconds, options);
   // With more, a view from the opposite side could not be told from this one.

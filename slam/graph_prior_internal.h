@@ -41,20 +41,20 @@ class PathSearch {
   using Frontier = std::pair<double, std::size_t>;  // variance, position
 
   void leave(std::size_t position);
-  void step(const Matrix6& covariance, std::size_t target, const SE3& T_source_target,
+  void step(const Matrix6& covariance, std::size_t target, const SE3& T_position_target,
             const Matrix6& step_covariance);
 
   const MapGraph& graph_;
   std::span<const Gap> gaps_;
-  std::size_t edges_;
+  std::size_t edge_count_;
   std::unordered_map<std::size_t, Reached> reached_;
   std::priority_queue<Frontier, std::vector<Frontier>, std::greater<>> open_;
 };
 
 /// What the graph says of the pose of the newest keyframe relative to an earlier one. `covariance`
 /// is that of PathSearch from the newest to the earlier one.
-[[nodiscard]] PairPrior graph_prior(const MapGraph& graph, std::size_t older, std::size_t newest,
-                                    const Matrix6& covariance);
+[[nodiscard]] PairPrior graph_prior(const MapGraph& graph, std::size_t older_position,
+                                    std::size_t newest_position, const Matrix6& covariance);
 
 /// Covariance of the motion of a camera during a time without tracking [s].
 [[nodiscard]] Matrix6 untracked_covariance(double seconds, const RelocalizationOptions& options);
@@ -62,7 +62,8 @@ class PathSearch {
 /// What the graph and the gaps between its submaps say of a camera that is at `now` where the
 /// newest keyframe was, or has moved untracked since, relative to an earlier keyframe; none if the
 /// orientation is too uncertain to be of use.
-[[nodiscard]] std::optional<PairPrior> prior_across_gaps(const MapState& map, std::size_t older,
+[[nodiscard]] std::optional<PairPrior> prior_across_gaps(const MapState& map,
+                                                         std::size_t older_position,
                                                          const Timestamp& now,
                                                          const RelocalizationOptions& options);
 

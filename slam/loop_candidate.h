@@ -23,7 +23,8 @@ struct LoopCandidate {
   bool relocalization = false;
   /// Similarity of the words of the two images (kLoop).
   double score = 0;
-  /// The score as a share of that with the preceding keyframe (LoopMatch).
+  /// The score divided by that with the preceding keyframe, or for a lost image by the best score;
+  /// the divisor is not less than `min_neighbor_score` (LoopMatch).
   double normalized_score = 0;
   std::size_t inliers = 0;        ///< features that agree with one pose (kLoop)
   std::vector<PixelPair> pixels;  ///< where they are: a = from, b = to (Verification)

@@ -46,7 +46,7 @@ LoopVerdict rejected(const LoopMatch& match, const std::string& reason) {
 LoopClosing::LoopClosing(const Camera& camera, const RegistrationOptions& registration, int threads,
                          const LoopClosingOptions& options, const RegistrationNoise& noise,
                          const std::shared_ptr<const Vocabulary>& vocabulary)
-    : camera_(camera.color),
+    : field_of_view_(camera.color),
       options_(options),
       detector_(camera, options.detection, vocabulary),
       registration_(registration, threads, options.pair, noise) {}
@@ -62,9 +62,9 @@ std::vector<LoopMatch> LoopClosing::recognize(const RgbdFrame& images, const Poi
 LoopVerdict LoopClosing::judge(const std::vector<LoopMatch>& matches, std::size_t index,
                                const MapState& map, PathSearch& paths) {
   const LoopMatch& match = matches[index];
-  const std::size_t older = map.keyframes.position_of(match.keyframe);
-  const std::size_t newest = map.keyframes.size() - 1;
-  const bool is_connected = map.submap_at(older) == map.submap_at(newest);
+  const std::size_t older_position = map.keyframes.position_of(match.keyframe);
+  const std::size_t newest_position = map.keyframes.size() - 1;
+  const bool is_connected = map.submap_at(older_position) == map.submap_at(newest_position);
   LoopVerdict verdict;
   if (!match.verification.accepted) {
     verdict = rejected(match, match.verification.reason);
@@ -74,13 +74,13 @@ LoopVerdict LoopClosing::judge(const std::vector<LoopMatch>& matches, std::size_
     verdict = judge_by_prior(matches, index, map, paths);
   } else {
     verdict = judge_by_images(matches, index, map.keyframes.newest().stamp, map);
-    if (verdict.submap_link)
+    if (verdict.unconfirmed)
       verdict.row.reason = "of another submap: waits for keyframes that agree";
   }
   if (is_connected) {
-    verdict.row.expected_overlap =
-        mutual_overlap(*map.keyframes[older].cloud, *map.keyframes[newest].cloud,
-                       map.graph.pose(older).inverse() * map.graph.pose(newest), camera_);
+    verdict.row.expected_overlap = mutual_overlap(
+        *map.keyframes[older_position].cloud, *map.keyframes[newest_position].cloud,
+        map.graph.pose(older_position).inverse() * map.graph.pose(newest_position), field_of_view_);
   }
   return verdict;
 }
@@ -89,20 +89,26 @@ LoopVerdict LoopClosing::judge(const std::vector<LoopMatch>& matches, std::size_
 LoopVerdict LoopClosing::judge_by_prior(const std::vector<LoopMatch>& matches, std::size_t index,
                                         const MapState& map, PathSearch& paths) {
   const LoopMatch& match = matches[index];
-  const std::size_t older = map.keyframes.position_of(match.keyframe);
-  const auto covariance = paths.covariance_to(older);
+  const std::size_t older_position = map.keyframes.position_of(match.keyframe);
+  const std::size_t newest_position = map.keyframes.size() - 1;
+  // There is a path: edges added since the search was made join no submaps.
+  const auto covariance = paths.covariance_to(older_position);
   const PairPrior prior =
-      graph_prior(map.graph, older, map.keyframes.size() - 1, covariance.value());
-  const PairVerdict pair = registration_.verify(
-      *map.keyframes[older].cloud, match.verification.T_a_b, &prior, map.usual_cos_theta.mean());
-  LoopVerdict verdict{candidate_row(match, pair), pair.measurement, {}, {}};
+      graph_prior(map.graph, older_position, newest_position, covariance.value());
+  const PairVerdict pair = registration_.register_both_ways(*map.keyframes[older_position].cloud,
+                                                            match.verification.T_a_b, &prior,
+                                                            map.usual_cos_theta.mean());
+  LoopVerdict verdict{.row = candidate_row(match, pair),
+                      .edge = pair.measurement,
+                      .unconfirmed = {},
+                      .contradiction = {}};
   // Where the way there leads through another recognised keyframe, it is the graph that may be
   // wrong.
   const bool crosses_submaps =
-      map.keyframes[older].tracked_submap != map.keyframes.newest().tracked_submap;
+      map.keyframes[older_position].tracked_submap != map.keyframes.newest().tracked_submap;
   if (pair.error > options_.pair.max_error && crosses_submaps) {
     verdict.contradiction =
-        judge_by_images(matches, index, map.keyframes.newest().stamp, map).submap_link;
+        judge_by_images(matches, index, map.keyframes.newest().stamp, map).unconfirmed;
   }
   return verdict;
 }
@@ -115,14 +121,18 @@ LoopVerdict LoopClosing::judge_by_images(const std::vector<LoopMatch>& matches, 
   const RelocalizationOptions& options = options_.relocalization;
   const std::string reason = ambiguity_of_images(matches, index, map, options);
   if (!reason.empty()) return rejected(match, reason);
-  const std::size_t older = map.keyframes.position_of(match.keyframe);
-  const PairVerdict pair = registration_.verify(
-      *map.keyframes[older].cloud, match.verification.T_a_b, nullptr, map.usual_cos_theta.mean());
-  LoopVerdict verdict{candidate_row(match, pair), {}, pair.measurement, {}};
+  const std::size_t older_position = map.keyframes.position_of(match.keyframe);
+  const PairVerdict pair = registration_.register_both_ways(*map.keyframes[older_position].cloud,
+                                                            match.verification.T_a_b, nullptr,
+                                                            map.usual_cos_theta.mean());
+  LoopVerdict verdict{.row = candidate_row(match, pair),
+                      .edge = {},
+                      .unconfirmed = pair.measurement,
+                      .contradiction = {}};
   verdict.row.accepted = false;
   if (!pair.measurement) return verdict;
   verdict.row.reason = ambiguity_of_registration(match, pair.cos_theta, now, map, options);
-  if (!verdict.row.reason.empty()) verdict.submap_link.reset();
+  if (!verdict.row.reason.empty()) verdict.unconfirmed.reset();
   return verdict;
 }
 
@@ -140,13 +150,12 @@ LoopVerdict LoopClosing::judge_lost(const std::vector<LoopMatch>& matches, std::
   const Verification& verification = matches[index].verification;
   LoopVerdict verdict = verification.accepted ? judge_by_images(matches, index, stamp, map)
                                               : rejected(matches[index], verification.reason);
-  if (verdict.submap_link) verdict.row.reason = "waits for frames that agree";
+  if (verdict.unconfirmed) verdict.row.reason = "waits for frames that agree";
   return verdict;
 }
 
-std::optional<ContradictedLoop> find_contradicted_loop(const PoseGraph& graph,
-                                                       double max_residual) {
-  ContradictedLoop worst;
+std::optional<WorstLoop> find_worst_loop(const PoseGraph& graph, double max_residual) {
+  WorstLoop worst;
   for (std::size_t i = 0; i < graph.edges().size(); ++i) {
     if (graph.edges()[i].kind != EdgeKind::kLoop) continue;
     const double error = std::sqrt(squared_error(graph, i));

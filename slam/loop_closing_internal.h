@@ -29,15 +29,19 @@ namespace cvo_slam {
 /// What becomes of a match. At most one of the last three is set.
 struct LoopVerdict {
   LoopCandidate row;
-  std::optional<PairMeasurement> edge;           ///< joins the pair now
-  std::optional<PairMeasurement> submap_link;    ///< waits until others agree with it
+  std::optional<PairMeasurement> edge;  ///< joins the pair now
+  /// Believed as far as two images go: waits until other keyframes (submaps) or frames (a lost
+  /// camera) agree.
+  std::optional<PairMeasurement> unconfirmed;
   std::optional<PairMeasurement> contradiction;  ///< the graph refuses it and may be wrong
 };
 
 /// The verdict for a match that is not registered.
 [[nodiscard]] LoopVerdict rejected(const LoopMatch& match, const std::string& reason);
 
-/// Recognises keyframes by their images, registers pairs, and decides by what the graph says.
+/// Recognises keyframes by their images, registers pairs, and decides by what the graph says. The
+/// cloud of the image stays between calls: judge() is for the matches of the latest recognize(),
+/// judge_lost() for those of the latest recognize_lost().
 class LoopClosing {
  public:
   /// Uses the built-in vocabulary if `vocabulary` is null.
@@ -45,17 +49,20 @@ class LoopClosing {
               const LoopClosingOptions& options, const RegistrationNoise& noise,
               const std::shared_ptr<const Vocabulary>& vocabulary);
 
-  /// The earlier keyframes that the newest one, with these images, seems to show. The newest one is
-  /// searched for from now on too.
+  /// The earlier keyframes that the newest one, with these images, seems to show, with those that
+  /// verification rejected, for loops.csv. Enters the image into the index and keeps the cloud as
+  /// the newer one of the pairs.
   [[nodiscard]] std::vector<LoopMatch> recognize(const RgbdFrame& images, const PointCloud& cloud);
-  /// Judges one of the matches of the newest keyframe. `paths` starts at the newest keyframe.
+  /// Judges one of the matches of the latest recognize(). `paths` starts at the newest keyframe.
   [[nodiscard]] LoopVerdict judge(const std::vector<LoopMatch>& matches, std::size_t index,
                                   const MapState& map, PathSearch& paths);
 
-  /// The keyframes that a lost image, with its points, seems to show.
+  /// The keyframes that a lost image, with its points, seems to show, with those that verification
+  /// rejected. Keeps the cloud as the newer one of the pairs; the index stays as it is.
   [[nodiscard]] std::vector<LoopMatch> recognize_lost(const RgbdFrame& images,
                                                       const PointCloud& cloud);
-  /// Judges one of the matches of a lost image, without a prior: it is a submap link at most.
+  /// Judges one of the matches of the latest recognize_lost(), without a prior: it is unconfirmed
+  /// at most.
   [[nodiscard]] LoopVerdict judge_lost(const std::vector<LoopMatch>& matches, std::size_t index,
                                        const Timestamp& stamp, const MapState& map);
 
@@ -66,20 +73,19 @@ class LoopClosing {
                                             std::size_t index, const Timestamp& now,
                                             const MapState& map);
 
-  PinholeCamera camera_;
+  FieldOfView field_of_view_;
   LoopClosingOptions options_;
   LoopDetector detector_;
   PairRegistration registration_;
 };
 
 /// The loop edge that fits the optimised graph worst.
-struct ContradictedLoop {
+struct WorstLoop {
   std::size_t edge = 0;
   double error = 0;  ///< [standard deviations]
 };
 
 /// The worst loop edge if its error exceeds `max_residual`.
-[[nodiscard]] std::optional<ContradictedLoop> find_contradicted_loop(const PoseGraph& graph,
-                                                                     double max_residual);
+[[nodiscard]] std::optional<WorstLoop> find_worst_loop(const PoseGraph& graph, double max_residual);
 
 }  // namespace cvo_slam

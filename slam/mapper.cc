@@ -13,7 +13,7 @@ namespace cvo_slam {
 
 Mapper::Mapper(const Camera& camera, const SlamOptions& options,
                const std::shared_ptr<const Vocabulary>& vocabulary)
-    : camera_(camera.color),
+    : field_of_view_(camera.color),
       options_(options),
       noise_{options.noise_translation, options.noise_rotation},
       near_registration_(options.tracker.registration, options.tracker.threads,
@@ -26,25 +26,29 @@ Mapper::Mapper(const Camera& camera, const SlamOptions& options,
 
 CorrectedPose Mapper::add(const KeyframeInput& keyframe) {
   add_keyframe(keyframe);
-  const std::size_t newest = map_.keyframes.size() - 1;
-  // Over the edges that there are now: those added below have not moved the poses yet.
-  PathSearch paths(map_.graph, newest);
-  connect_near_keyframes(paths);
-  bool is_closed = close_loops(keyframe, paths);
+  const std::size_t newest_position = map_.keyframes.size() - 1;
+  bool is_closed = false;
+  {
+    // Over the edges that there are now: those added below have not moved the poses yet. A search
+    // must not outlive the removal of an edge, as by separate_submaps().
+    PathSearch paths(map_.graph, newest_position);
+    connect_near_keyframes(paths);
+    is_closed = close_loops(keyframe, paths);
+  }
   separate_submaps();
   is_closed = join_submaps() || is_closed;
-  ++not_optimized_;
+  ++keyframes_since_solve_;
   if (is_closed) {
     optimize_all();
-  } else if (not_optimized_ >= options_.optimize_every) {
+  } else if (keyframes_since_solve_ >= options_.optimize_every) {
     optimize(OptimizationScope::kWindow);
   }
-  return {map_.graph.pose(newest), map_.submap_at(newest)};
+  return {map_.graph.pose(newest_position), map_.submap_at(newest_position)};
 }
 
 /// Adds the node, and the edge to the keyframe that it was tracked against or recognised at.
 void Mapper::add_keyframe(const KeyframeInput& keyframe) {
-  is_optimized_ = false;
+  is_fully_optimized_ = false;
   const auto pose_after = [this](std::size_t reference, const SE3& T_reference_keyframe) {
     const std::size_t position = map_.keyframes.position_of(reference);
     return (map_.graph.pose(position) * T_reference_keyframe).normalized();
@@ -79,35 +83,38 @@ void Mapper::add_keyframe(const KeyframeInput& keyframe) {
 /// The pose of the first keyframe of a submap if the camera stood still while it was lost, by the
 /// tracker's poses. Keeps the gap.
 SE3 Mapper::start_after_gap(const KeyframeInput& keyframe) {
-  const std::size_t last = map_.keyframes.size() - 1;
+  const std::size_t last_position = map_.keyframes.size() - 1;
   const SE3 T_last_keyframe = T_world_newest_tracked_.inverse() * keyframe.T_world_camera;
   constexpr double kShortest = 0.01;  // [s]
   const double seconds =
-      std::max(kShortest, seconds_between(map_.keyframes[last].stamp, keyframe.stamp));
+      std::max(kShortest, seconds_between(map_.keyframes[last_position].stamp, keyframe.stamp));
   map_.gaps.push_back(
-      {last, last + 1, T_last_keyframe,
+      {last_position, last_position + 1, T_last_keyframe,
        both_ways(T_last_keyframe, untracked_covariance(seconds, options_.loops.relocalization))});
-  return (map_.graph.pose(last) * T_last_keyframe).normalized();
+  return (map_.graph.pose(last_position) * T_last_keyframe).normalized();
 }
 
 void Mapper::connect_near_keyframes(PathSearch& paths) {
-  const auto near = find_near_keyframes(map_, proximity_, camera_, options_.proximity);
-  if (near.empty()) return;
-  const std::size_t newest = map_.keyframes.size() - 1;
+  const auto near_keyframes =
+      find_near_keyframes(map_, proximity_, field_of_view_, options_.proximity);
+  if (near_keyframes.empty()) return;
+  const std::size_t newest_position = map_.keyframes.size() - 1;
+  const std::size_t newer = map_.keyframes.newest().number;
   near_registration_.set_newer(*map_.keyframes.newest().cloud);
-  for (const NearKeyframe& keyframe : near) {
-    const auto covariance = paths.covariance_to(keyframe.position);
+  for (const auto& [older_position, expected_overlap] : near_keyframes) {
+    const auto covariance = paths.covariance_to(older_position);
     if (!covariance) continue;
-    const PairPrior prior = graph_prior(map_.graph, keyframe.position, newest, *covariance);
-    const StoredKeyframe& older = map_.keyframes[keyframe.position];
-    const PairVerdict verdict = near_registration_.verify(*older.cloud, prior.T_older_newer, &prior,
-                                                          map_.usual_cos_theta.mean());
-    const std::size_t newer = map_.keyframes.newest().number;
+    const PairPrior prior = graph_prior(map_.graph, older_position, newest_position, *covariance);
+    const std::size_t older = map_.keyframes[older_position].number;
+    const PairVerdict verdict = near_registration_.register_both_ways(
+        *map_.keyframes[older_position].cloud, prior.T_older_newer, &prior,
+        map_.usual_cos_theta.mean());
+    const std::size_t row = candidates_.size();  // pushed below
     if (verdict.measurement) {
-      add_edge(EdgeKind::kProximity, older.number, newer, *verdict.measurement, candidates_.size());
+      add_edge(EdgeKind::kProximity, older, newer, *verdict.measurement, row);
     }
-    candidates_.push_back(candidate_row(EdgeKind::kProximity, older.number, newer, verdict));
-    candidates_.back().expected_overlap = keyframe.expected_overlap;
+    candidates_.push_back(candidate_row(EdgeKind::kProximity, older, newer, verdict));
+    candidates_.back().expected_overlap = expected_overlap;
   }
 }
 
@@ -119,12 +126,12 @@ bool Mapper::close_loops(const KeyframeInput& keyframe, PathSearch& paths) {
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const LoopVerdict verdict = loop_closing_->judge(matches, i, map_, paths);
     const std::size_t older = matches[i].keyframe;
-    const std::size_t row = candidates_.size();
+    const std::size_t row = candidates_.size();  // pushed below
     if (verdict.edge) {
       add_edge(EdgeKind::kLoop, older, keyframe.number, *verdict.edge, row);
       is_closed = true;
-    } else if (verdict.submap_link) {
-      links_.push_back({older, keyframe.number, *verdict.submap_link, row});
+    } else if (verdict.unconfirmed) {
+      links_.push_back({older, keyframe.number, *verdict.unconfirmed, row});
     } else if (verdict.contradiction) {
       contradictions_.push_back({older, keyframe.number, *verdict.contradiction, row});
     }
@@ -211,10 +218,10 @@ std::optional<RecognizedPose> Mapper::relocalize(const RgbdFrame& images, const 
 }
 
 void Mapper::optimize_all() {
-  if (is_optimized_) return;
+  if (is_fully_optimized_) return;
   optimize(OptimizationScope::kFull);
   // One at a time: a wrong loop makes right ones fit badly too.
-  while (const auto worst = find_contradicted_loop(graph(), options_.loops.max_residual)) {
+  while (const auto worst = find_worst_loop(graph(), options_.loops.max_residual)) {
     take_back(worst->edge, fmt::format("taken back: {:.1f} standard deviations from the optimised "
                                        "graph",
                                        worst->error));
@@ -222,7 +229,7 @@ void Mapper::optimize_all() {
     settle_links();
     optimize(OptimizationScope::kFull);
   }
-  is_optimized_ = true;
+  is_fully_optimized_ = true;
 }
 
 void Mapper::optimize(OptimizationScope scope) {
@@ -230,7 +237,7 @@ void Mapper::optimize(OptimizationScope scope) {
   for (const std::size_t i : map_.graph.moved()) {
     proximity_.set(i, map_.graph.pose(i).translation(), map_.keyframes[i].reach);
   }
-  not_optimized_ = 0;
+  keyframes_since_solve_ = 0;
   if (scope == OptimizationScope::kWindow) {
     ++statistics_.window_solves;
     statistics_.window_seconds += summary.seconds;

@@ -56,7 +56,7 @@ class Mapper {
   /// then, all of it when a loop was closed. Returns where the map has the keyframe then.
   CorrectedPose add(const KeyframeInput& keyframe);
   /// Finds where a lost image was taken, by its points too; none if that is not certain enough or
-  /// loops are not closed.
+  /// loops are not closed. Adds a row for each keyframe that was tried.
   [[nodiscard]] std::optional<RecognizedPose> relocalize(const RgbdFrame& images,
                                                          const PointCloud& cloud);
   /// Optimises the whole graph and takes back the loops that it contradicts, unless nothing was
@@ -83,7 +83,7 @@ class Mapper {
   void take_back(std::size_t edge, const std::string& reason);
   void optimize(OptimizationScope scope);
 
-  PinholeCamera camera_;
+  FieldOfView field_of_view_;
   SlamOptions options_;
   RegistrationNoise noise_;
   PairRegistration near_registration_;
@@ -95,8 +95,8 @@ class Mapper {
   std::vector<LoopCandidate> candidates_;
   GraphStatistics statistics_;
   SE3 T_world_newest_tracked_;  // the newest keyframe's pose as it was tracked
-  int not_optimized_ = 0;       // keyframes since the last optimisation
-  bool is_optimized_ = true;
+  int keyframes_since_solve_ = 0;
+  bool is_fully_optimized_ = true;
 };
 
 }  // namespace cvo_slam

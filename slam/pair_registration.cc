@@ -13,6 +13,7 @@
 namespace cvo_slam {
 namespace {
 
+/// Every prefix of a selected cloud is spread over the image (PointSelector).
 PointCloud first_points(const PointCloud& cloud, int count) {
   const auto n =
       static_cast<std::ptrdiff_t>(std::min(cloud.size(), static_cast<std::size_t>(count)));
@@ -39,9 +40,9 @@ PairVerdict compare(const RegistrationResult& there, const RegistrationResult& b
 
 /// Distance of a measurement from the prior in standard deviations of both.
 double prior_error(const PairMeasurement& measurement, const PairPrior& prior,
-                   const SE3& correction) {
+                   const SE3& T_prior_measured) {
   const AlignedMatrix6 covariance = prior.covariance + measurement.covariance;
-  const Eigen::Matrix<double, 6, 1> error = correction.log();
+  const Eigen::Matrix<double, 6, 1> error = T_prior_measured.log();
   return std::sqrt(error.dot(covariance.ldlt().solve(error)));
 }
 
@@ -81,36 +82,40 @@ PairRegistration::PairRegistration(const RegistrationOptions& registration, int 
 
 void PairRegistration::set_newer(const PointCloud& cloud) {
   to_newer_.set_fixed(cloud);
-  newer_ = first_points(cloud, options_.points);
+  newer_cloud_ = first_points(cloud, options_.points);
 }
 
-PairVerdict PairRegistration::verify(const PointCloud& older, const SE3& T_older_newer,
-                                     const PairPrior* prior, double usual_cos_theta) {
-  const RegistrationResult back = to_newer_.align(first_points(older, options_.points),
+PairVerdict PairRegistration::register_both_ways(const PointCloud& older_cloud,
+                                                 const SE3& T_older_newer, const PairPrior* prior,
+                                                 double usual_cos_theta) {
+  // The fixed cloud of this way is set once for all pairs; the other way builds neighbour grids for
+  // each.
+  const RegistrationResult back = to_newer_.align(first_points(older_cloud, options_.points),
                                                   T_older_newer.inverse(), options_.skip_scales);
-  // The way back needs no new grids; where it fails the way there need not be tried.
   if (back.status == RegistrationStatus::kFailed || back.overlap < options_.min_overlap) {
     PairVerdict verdict;
     verdict.overlap = back.overlap;
     verdict.cos_theta = back.cos_theta;
     verdict.reason = back.status == RegistrationStatus::kFailed
                          ? back.reason
-                         : find_fault(verdict, usual_cos_theta, options_);
+                         : find_fault(verdict, usual_cos_theta, options_);  // fails by its overlap
     return verdict;
   }
-  to_older_.set_fixed(older);
-  const RegistrationResult there = to_older_.align(newer_, T_older_newer, options_.skip_scales);
+  to_older_.set_fixed(older_cloud);
+  const RegistrationResult there =
+      to_older_.align(newer_cloud_, T_older_newer, options_.skip_scales);
   if (there.status == RegistrationStatus::kFailed) return PairVerdict::rejected(there.reason);
   PairVerdict verdict = compare(there, back);
-  // Each way has points of its own; the middle has less noise than either.
+  // Each way has points of its own; the middle has less noise than either. The covariance is that
+  // of one way, not halved: the two ways share the noise of the same two depth images.
   const SE3 T_middle =
       interpolate(there.T_fixed_moving, back.T_fixed_moving.inverse(), 0.5).normalized();
   const PairMeasurement measurement{T_middle, noise_.added_to(there.covariance)};
   if (prior != nullptr) {
-    const SE3 correction = prior->T_older_newer.inverse() * measurement.T_older_newer;
-    verdict.correction_translation = correction.translation().norm();
-    verdict.correction_rotation = correction.angle();
-    verdict.error = prior_error(measurement, *prior, correction);
+    const SE3 T_prior_measured = prior->T_older_newer.inverse() * measurement.T_older_newer;
+    verdict.correction_translation = T_prior_measured.translation().norm();
+    verdict.correction_rotation = T_prior_measured.angle();
+    verdict.error = prior_error(measurement, *prior, T_prior_measured);
   }
   verdict.reason = find_fault(verdict, usual_cos_theta, options_);
   if (verdict.reason.empty()) verdict.measurement = measurement;

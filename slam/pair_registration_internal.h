@@ -64,18 +64,19 @@ class PairRegistration {
 
   /// Sets the new keyframe of the pairs that follow.
   void set_newer(const PointCloud& cloud);
-  /// Registers the earlier keyframe `older` and the new one, searching from T_older_newer.
+  /// Registers an earlier keyframe and the new one to each other, searching from T_older_newer.
   /// `prior` is null where nothing is known of the pair. `usual_cos_theta` is the mean of the
   /// registrations of consecutive keyframes; 0 if there were none.
-  [[nodiscard]] PairVerdict verify(const PointCloud& older, const SE3& T_older_newer,
-                                   const PairPrior* prior, double usual_cos_theta);
+  [[nodiscard]] PairVerdict register_both_ways(const PointCloud& older_cloud,
+                                               const SE3& T_older_newer, const PairPrior* prior,
+                                               double usual_cos_theta);
 
  private:
   PairOptions options_;
   RegistrationNoise noise_;
   Registration to_newer_;
   Registration to_older_;
-  PointCloud newer_;  // its first points, as those of a moving cloud
+  PointCloud newer_cloud_;  // the first points of the new keyframe, as those of a moving cloud
 };
 
 }  // namespace cvo_slam

@@ -23,10 +23,10 @@ bool is_far_from_all(std::size_t position, const std::vector<NearKeyframe>& chos
 }  // namespace
 
 double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
-                      const PinholeCamera& camera) {
-  const double b_in_a = visible_share(b, T_a_b, camera);
+                      const FieldOfView& field_of_view) {
+  const double b_in_a = visible_share(b, T_a_b, field_of_view);
   if (b_in_a == 0) return 0;
-  return std::min(b_in_a, visible_share(a, T_a_b.inverse(), camera));
+  return std::min(b_in_a, visible_share(a, T_a_b.inverse(), field_of_view));
 }
 
 void ProximityIndex::set(std::size_t position, const Vector3& camera, double reach) {
@@ -67,26 +67,29 @@ std::vector<std::size_t> ProximityIndex::within_reach_of(std::size_t position) c
 }
 
 std::vector<NearKeyframe> find_near_keyframes(const MapState& map, const ProximityIndex& index,
-                                              const PinholeCamera& camera,
+                                              const FieldOfView& field_of_view,
                                               const ProximityOptions& options) {
   std::vector<NearKeyframe> chosen;
-  std::vector<NearKeyframe> older;
-  const std::size_t newest = map.keyframes.size() - 1;
-  for (const std::size_t position : index.within_reach_of(newest)) {
-    if (position + 1 >= newest || map.submap_at(position) != map.submap_at(newest)) continue;
-    const SE3 T_older_newer = map.graph.pose(position).inverse() * map.graph.pose(newest);
-    const double overlap = mutual_overlap(*map.keyframes[position].cloud,
-                                          *map.keyframes[newest].cloud, T_older_newer, camera);
+  std::vector<NearKeyframe> not_recent;
+  const std::size_t newest_position = map.keyframes.size() - 1;
+  for (const std::size_t position : index.within_reach_of(newest_position)) {
+    if (position + 1 >= newest_position) continue;
+    if (map.submap_at(position) != map.submap_at(newest_position)) continue;
+    const SE3 T_older_newer = map.graph.pose(position).inverse() * map.graph.pose(newest_position);
+    const double overlap =
+        mutual_overlap(*map.keyframes[position].cloud, *map.keyframes[newest_position].cloud,
+                       T_older_newer, field_of_view);
     if (overlap < options.min_expected_overlap) continue;
-    const std::size_t between = newest - position - 2;  // the predecessor aside
+    const std::size_t between = newest_position - position - 2;  // the predecessor aside
     const bool is_recent = between < static_cast<std::size_t>(options.recent);
-    (is_recent ? chosen : older).push_back({position, overlap});
+    (is_recent ? chosen : not_recent).push_back({position, overlap});
   }
-  std::stable_sort(older.begin(), older.end(), [](const NearKeyframe& a, const NearKeyframe& b) {
-    return a.expected_overlap > b.expected_overlap;
-  });
+  std::stable_sort(not_recent.begin(), not_recent.end(),
+                   [](const NearKeyframe& a, const NearKeyframe& b) {
+                     return a.expected_overlap > b.expected_overlap;
+                   });
   const std::size_t most = chosen.size() + static_cast<std::size_t>(options.near);
-  for (const NearKeyframe& keyframe : older) {
+  for (const NearKeyframe& keyframe : not_recent) {
     if (chosen.size() == most) break;
     if (is_far_from_all(keyframe.position, chosen, static_cast<std::size_t>(options.min_gap))) {
       chosen.push_back(keyframe);

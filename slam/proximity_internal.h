@@ -8,7 +8,6 @@
 #include <map>
 #include <vector>
 
-#include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/slam/map_state_internal.h"
@@ -25,7 +24,7 @@ struct NearKeyframe {
 /// The smaller one of two shares: that of the points of `a` which lie in the image of `b`, and the
 /// reverse (visible_share()).
 [[nodiscard]] double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
-                                    const PinholeCamera& camera);
+                                    const FieldOfView& field_of_view);
 
 /// Finds keyframes by where their cameras are, so that a search costs the same however large the
 /// map is.
@@ -55,7 +54,7 @@ class ProximityIndex {
 /// recent ones, and of the older ones those that see most of the same, spread over the sequence.
 [[nodiscard]] std::vector<NearKeyframe> find_near_keyframes(const MapState& map,
                                                             const ProximityIndex& index,
-                                                            const PinholeCamera& camera,
+                                                            const FieldOfView& field_of_view,
                                                             const ProximityOptions& options);
 
 }  // namespace cvo_slam

@@ -15,10 +15,10 @@ Relocalization relocalize(const RgbdFrame& images, const PointCloud& cloud, cons
                               ? rejected(matches[i], "another keyframe is recognised already")
                               : loop_closing.judge_lost(matches, i, images.stamp, map);
     verdict.row.relocalization = true;
-    if (verdict.submap_link) {
+    if (verdict.unconfirmed) {
       const std::size_t position = map.keyframes.position_of(matches[i].keyframe);
-      const SE3 T_world_camera = map.graph.pose(position) * verdict.submap_link->T_older_newer;
-      result.pose = RecognizedPose{matches[i].keyframe, *verdict.submap_link,
+      const SE3 T_world_camera = map.graph.pose(position) * verdict.unconfirmed->T_older_newer;
+      result.pose = RecognizedPose{matches[i].keyframe, *verdict.unconfirmed,
                                    T_world_camera.normalized(), map.submap_at(position), i};
     }
     result.rows.push_back(std::move(verdict.row));
@@ -26,10 +26,10 @@ Relocalization relocalize(const RgbdFrame& images, const PointCloud& cloud, cons
   return result;
 }
 
-PoseAgreement::PoseAgreement(int frames, double max_speed, double max_angular_speed)
+PoseConsensus::PoseConsensus(int frames, double max_speed, double max_angular_speed)
     : frames_(frames), max_speed_(max_speed), max_angular_speed_(max_angular_speed) {}
 
-bool PoseAgreement::add(const Timestamp& stamp, const RecognizedPose& pose) {
+bool PoseConsensus::add(const Timestamp& stamp, const RecognizedPose& pose) {
   const Observation observation{stamp, pose.submap, pose.T_world_camera};
   std::erase_if(observations_,
                 [&](const Observation& earlier) { return !agree(earlier, observation); });
@@ -37,7 +37,7 @@ bool PoseAgreement::add(const Timestamp& stamp, const RecognizedPose& pose) {
   return count() >= frames_;
 }
 
-bool PoseAgreement::agree(const Observation& a, const Observation& b) const {
+bool PoseConsensus::agree(const Observation& a, const Observation& b) const {
   if (a.submap != b.submap) return false;
   constexpr double kLongest = 0.5;       // [s]; after more the camera may be anywhere
   constexpr double kTranslation = 0.05;  // [m]; that either may be wrong by

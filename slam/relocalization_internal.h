@@ -20,8 +20,10 @@ struct RecognizedPose {
   std::size_t keyframe = 0;  ///< number of the keyframe it was registered to
   PairMeasurement measurement;
   SE3 T_world_camera;
-  int submap = 0;       ///< name of the keyframe's submap, whose world the pose is of
-  std::size_t row = 0;  ///< in Relocalization::rows
+  int submap = 0;  ///< name of the keyframe's submap, whose world the pose is of
+  /// Index of its row: in Relocalization::rows; in what Mapper::relocalize() returns, in
+  /// Mapper::candidates().
+  std::size_t row = 0;
 };
 
 /// What the map says of a lost image.
@@ -36,11 +38,11 @@ struct Relocalization {
 
 /// Decides when enough lost frames agree on where the camera is: one alone may show an ambiguous
 /// place.
-class PoseAgreement {
+class PoseConsensus {
  public:
   /// `frames` must agree, on a path that a camera of no more than these speeds [m/s, rad/s] can
   /// take.
-  PoseAgreement(int frames, double max_speed, double max_angular_speed);
+  PoseConsensus(int frames, double max_speed, double max_angular_speed);
 
   /// Adds the pose of a frame and forgets earlier ones that disagree with it. Returns true if
   /// enough agree.

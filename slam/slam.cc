@@ -24,11 +24,11 @@ SlamOptions checked(SlamOptions options) {
   return options;
 }
 
-/// A keyframe that the mapper works on.
+/// A keyframe handed to the mapper, done or not, whose correction is not applied yet.
 struct SubmittedKeyframe {
   int tracked_submap = 0;
   SE3 T_world_camera_tracked;
-  std::shared_ptr<CorrectedPose> corrected;  // written by the job
+  std::shared_ptr<CorrectedPose> pose_in_map;  // written by the job
 };
 
 /// Where the map has a tracked submap.
@@ -44,7 +44,7 @@ struct Slam::Impl {
        const std::shared_ptr<const Vocabulary>& vocabulary)
       : options(checked(options_in)),
         tracker(camera, options.tracker),
-        agreement(options.loops.relocalization.frames, options.tracker.lost.max_speed,
+        consensus(options.loops.relocalization.frames, options.tracker.lost.max_speed,
                   options.tracker.lost.max_angular_speed),
         mapper(camera, options, vocabulary),
         jobs(options.schedule) {}
@@ -52,10 +52,10 @@ struct Slam::Impl {
   SlamOptions options;
   Tracker tracker;
   FrameHistory history;
-  FrameRecord last_tracked;                  // as the tracker answered
-  PoseAgreement agreement;                   // of the frames since tracking was lost
+  FrameRecord last_tracked_record;           // of the last tracked frame, as the tracker answered
+  PoseConsensus consensus;                   // of the frames since tracking was lost
   std::optional<RecognizedPose> recognized;  // of the newest keyframe, before the mapper has it
-  std::deque<SubmittedKeyframe> submitted;   // whose corrections are not applied yet
+  std::deque<SubmittedKeyframe> submitted;   // in ascending order
   std::map<int, Correction> corrections;     // by tracked submap
   Mapper mapper;
   JobQueue jobs;  // the last member: its thread ends before what it works on
@@ -64,7 +64,7 @@ struct Slam::Impl {
   [[nodiscard]] FrameRecord relocalize(const RgbdFrame& frame, const FrameRecord& lost);
   void submit(const TrackerKeyframe& keyframe);
   void apply_corrections(std::size_t left);
-  [[nodiscard]] FrameRecord corrected(FrameRecord record) const;
+  [[nodiscard]] FrameRecord in_map(FrameRecord record) const;
   void finish();
 };
 
@@ -76,14 +76,16 @@ FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
                     frame.index, history.newest().frame));
   }
   auto [tracked, keyframe] = tracker.track(frame);
+  // The keyframe that has become final is the frame tracked before this one: submit() reads
+  // last_tracked_record, so that is replaced only below.
   if (keyframe) submit(*keyframe);
   if (tracked.status == TrackingStatus::kTracked) {
-    agreement.clear();
+    consensus.clear();
   } else if (options.loops.enabled) {
     tracked = relocalize(frame, tracked);
   }
-  if (tracked.status == TrackingStatus::kTracked) last_tracked = tracked;
-  const FrameRecord answer = corrected(tracked);
+  if (tracked.status == TrackingStatus::kTracked) last_tracked_record = tracked;
+  const FrameRecord answer = in_map(tracked);
   history.add({tracked.index, tracked.stamp, tracked.status, tracked.reason, tracked.submap,
                tracked.keyframe, tracked.registration.T_fixed_moving, answer.T_world_camera,
                answer.submap});
@@ -94,14 +96,17 @@ FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
 FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lost) {
   const PointCloud cloud = tracker.select_keyframe_points();
   if (cloud.size() == 0) return lost;
+  // resume() would drop it.
   if (const auto keyframe = tracker.take_keyframe()) submit(*keyframe);
+  // The mapper is for one thread at a time; and every schedule must see the same map.
   jobs.wait_until_left(0);
   const auto pose = mapper.relocalize(frame, cloud);
-  if (!pose || !agreement.add(frame.stamp, *pose)) return lost;
+  if (!pose || !consensus.add(frame.stamp, *pose)) return lost;
   const FrameRecord record = tracker.resume(pose->T_world_camera);
   if (record.status == TrackingStatus::kLost) return lost;
-  agreement.clear();
+  consensus.clear();
   recognized = pose;
+  // The tracker goes on in the map's own world.
   corrections[record.submap] = {pose->submap, SE3()};
   return record;
 }
@@ -109,7 +114,7 @@ FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lo
 /// Hands a keyframe to the mapper, which is always the frame that was tracked last, and applies
 /// what the map has learnt from earlier ones.
 void Slam::Impl::submit(const TrackerKeyframe& keyframe) {
-  const FrameRecord& record = last_tracked;
+  const FrameRecord& record = last_tracked_record;
   KeyframeInput input;
   input.number = record.index;
   input.stamp = record.stamp;
@@ -124,26 +129,26 @@ void Slam::Impl::submit(const TrackerKeyframe& keyframe) {
   if (options.loops.enabled) input.images = keyframe.images;
   history.add_keyframe(input.number);
   submitted.push_back({record.submap, record.T_world_camera, std::make_shared<CorrectedPose>()});
-  jobs.submit([this, corrected = submitted.back().corrected, input = std::move(input)] {
-    *corrected = mapper.add(input);
+  jobs.submit([this, pose_in_map = submitted.back().pose_in_map, input = std::move(input)] {
+    *pose_in_map = mapper.add(input);
   });
   apply_corrections(static_cast<std::size_t>(options.correction_delay));
 }
 
-/// Waits until at most `left` keyframes are in work, and takes over what the map says of the
-/// others.
+/// Waits until at most `left` keyframes are in work, and takes over what the map says of the newest
+/// of the others.
 void Slam::Impl::apply_corrections(std::size_t left) {
   if (submitted.size() <= left) return;
   jobs.wait_until_left(left);
-  const SubmittedKeyframe& newest = submitted[submitted.size() - left - 1];
-  corrections[newest.tracked_submap] = {
-      newest.corrected->submap,
-      newest.corrected->T_world_camera * newest.T_world_camera_tracked.inverse()};
+  const SubmittedKeyframe& newest_done = submitted[submitted.size() - left - 1];
+  corrections[newest_done.tracked_submap] = {
+      newest_done.pose_in_map->submap,
+      newest_done.pose_in_map->T_world_camera * newest_done.T_world_camera_tracked.inverse()};
   submitted.erase(submitted.begin(), submitted.end() - static_cast<std::ptrdiff_t>(left));
 }
 
 /// A tracked frame where the map has its submap.
-FrameRecord Slam::Impl::corrected(FrameRecord record) const {
+FrameRecord Slam::Impl::in_map(FrameRecord record) const {
   const auto correction = corrections.find(record.submap);
   if (record.status == TrackingStatus::kLost || correction == corrections.end()) return record;
   const auto& [submap, T_corrected_tracked] = correction->second;

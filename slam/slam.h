@@ -18,8 +18,11 @@
 namespace cvo_slam {
 
 enum class TrajectoryView {
-  kFinal,   ///< every frame as the graph has its keyframe now
-  kOnline,  ///< what track() answered at the time
+  /// Every frame as the graph has its keyframe now.
+  kFinal,
+  /// The same with the poses and submaps that track() answered: those of the submap with most
+  /// frames.
+  kOnline,
 };
 
 /// A keyframe of the map.
@@ -65,8 +68,8 @@ class Slam {
   /// Optimises the whole graph. May be called again; tracking may go on after it.
   void finish();
 
-  /// The path of the camera in the submap with most frames, after joining. Frames of other submaps
-  /// are lost.
+  /// The path of the camera in the submap with most frames; for kFinal, after joining. Frames of
+  /// other submaps are lost.
   [[nodiscard]] Trajectory trajectory(TrajectoryView view = TrajectoryView::kFinal) const;
   /// Nodes are keyframes; their ids are the keyframes' numbers.
   [[nodiscard]] PoseGraph pose_graph() const;

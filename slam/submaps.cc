@@ -33,7 +33,7 @@ bool agrees(const SubmapLink& link, const SE3& T_world_world, const MapState& ma
 }
 
 /// A set of links that agree.
-struct Agreement {
+struct Consensus {
   std::vector<std::size_t> links;  // indices, ascending
   std::size_t keyframes = 0;
   SE3 T_world_world;
@@ -47,10 +47,10 @@ std::size_t newer_keyframes(const std::vector<std::size_t>& chosen,
 }
 
 /// The largest set of links that agree, among those that are left; the earliest of equal sets.
-Agreement largest_agreement(const std::vector<SubmapLink>& links,
+Consensus largest_consensus(const std::vector<SubmapLink>& links,
                             const std::vector<std::size_t>& left, const MapState& map,
                             const RelocalizationOptions& options) {
-  Agreement best;
+  Consensus best;
   for (const std::size_t seed : left) {
     const SE3 T_world_world = world_in_world(links[seed], map);
     std::vector<std::size_t> agreeing;
@@ -101,14 +101,14 @@ SubmapPlacement place_submap(const std::vector<SubmapLink>& links, const MapStat
                              const RelocalizationOptions& options) {
   std::vector<std::size_t> left(links.size());
   for (std::size_t i = 0; i < links.size(); ++i) left[i] = i;
-  const Agreement best = largest_agreement(links, left, map, options);
+  const Consensus best = largest_consensus(links, left, map, options);
   std::erase_if(left, [&](std::size_t i) {
     return std::binary_search(best.links.begin(), best.links.end(), i);
   });
   SubmapPlacement placement;
   for (const std::size_t i : best.links) placement.agreeing.push_back(links[i]);
   placement.keyframes = best.keyframes;
-  placement.rivals = largest_agreement(links, left, map, options).keyframes;
+  placement.rivals = largest_consensus(links, left, map, options).keyframes;
   placement.T_world_world = best.T_world_world;
   return placement;
 }
@@ -118,16 +118,19 @@ std::optional<SubmapJoin> find_join(const std::vector<SubmapLink>& links, const 
   const auto submap_of = [&map](std::size_t number) {
     return map.submap_at(map.keyframes.position_of(number));
   };
-  const int newest = map.submap_at(map.keyframes.size() - 1);
+  const int newest_submap = map.submap_at(map.keyframes.size() - 1);
   std::map<int, std::vector<SubmapLink>> links_to;  // by the older ones' submap
   for (const SubmapLink& link : links) {
-    const int older = submap_of(link.older);
-    if (submap_of(link.newer) == newest && older != newest) links_to[older].push_back(link);
+    const int older_submap = submap_of(link.older);
+    if (submap_of(link.newer) != newest_submap || older_submap == newest_submap) continue;
+    links_to[older_submap].push_back(link);
   }
   for (const auto& [submap, links_to_it] : links_to) {
     const SubmapPlacement placement = place_submap(links_to_it, map, options);
     if (!placement.is_certain(options)) continue;
-    if (submap < newest) return SubmapJoin{newest, placement.T_world_world, placement.agreeing};
+    if (submap < newest_submap) {
+      return SubmapJoin{newest_submap, placement.T_world_world, placement.agreeing};
+    }
     return SubmapJoin{submap, placement.T_world_world.inverse(), placement.agreeing};
   }
   return std::nullopt;

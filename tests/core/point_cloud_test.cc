@@ -63,7 +63,7 @@ TEST(FieldOfView, DoesNotTrustThePolynomialFarOutsideTheImage) {
 
 TEST(VisibleShare, IsThatOfTheFirstHundredPoints) {
   PointCloud cloud;
-  EXPECT_EQ(visible_share(cloud, SE3(), camera_with(kNone)), 0);
+  EXPECT_EQ(visible_share(cloud, SE3(), FieldOfView(camera_with(kNone))), 0);
   for (int i = 0; i < 200; ++i) {
     // Every fourth of the first hundred is visible, and all that follow.
     const Vector3 p = point_at(i < 100 && i % 4 != 0 ? 70 * kDegree : 0);
@@ -71,8 +71,10 @@ TEST(VisibleShare, IsThatOfTheFirstHundredPoints) {
     cloud.y.push_back(static_cast<float>(p.y()));
     cloud.z.push_back(static_cast<float>(p.z()));
   }
-  EXPECT_EQ(visible_share(cloud, SE3(), camera_with(kNone)), 0.25);
-  EXPECT_EQ(visible_share(cloud, SE3(Matrix3::Identity(), {0, 0, -3}), camera_with(kNone)), 0);
+  EXPECT_EQ(visible_share(cloud, SE3(), FieldOfView(camera_with(kNone))), 0.25);
+  EXPECT_EQ(
+      visible_share(cloud, SE3(Matrix3::Identity(), {0, 0, -3}), FieldOfView(camera_with(kNone))),
+      0);
 }
 
 }  // namespace

@@ -60,11 +60,11 @@ TEST(MotionModel, TakesTheVelocityOfTheLastTwoPoses) {
   expect_near(model.predict(at(10.4)), pose_after(0.3));
 }
 
-TEST(MotionModel, StopForgetsTheVelocityButNotThePose) {
+TEST(MotionModel, ForgettingTheVelocityKeepsThePose) {
   MotionModel model;
   model.update(at(10), kStart);
   model.update(at(11), pose_after(1));
-  model.stop();
+  model.forget_velocity();
   expect_near(model.predict(at(12)), pose_after(1));
   expect_near(model.motion(at(11), at(12)), SE3());
   // The next pose gives the mean velocity over the gap.

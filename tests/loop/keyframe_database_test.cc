@@ -44,7 +44,7 @@ TEST(KeyframeDatabase, ScoresAreThoseOfTheBags) {
     const auto matches = database.query(query, 30);
     ASSERT_EQ(matches.size(), 30U);  // with 15 words of 60 each, sharing none is impossible here
     for (std::size_t i = 0; i < matches.size(); ++i) {
-      EXPECT_EQ(matches[i].keyframe, i);
+      EXPECT_EQ(matches[i].position, i);
       EXPECT_DOUBLE_EQ(matches[i].score, bag_score(query, bags[i]));
     }
   }
@@ -57,7 +57,7 @@ TEST(KeyframeDatabase, OnlyKeyframesThatShareWordsAreFound) {
   database.add({{2, 0.25F}, {3, 0.75F}});
   EXPECT_EQ(database.query({{2, 1.0F}}, 3),
             (std::vector<KeyframeMatch>{{0, 0.5, 1}, {2, 0.25, 1}}));
-  EXPECT_THAT(database.query({{2, 1.0F}}, 2), ElementsAre(Field(&KeyframeMatch::keyframe, 0)));
+  EXPECT_THAT(database.query({{2, 1.0F}}, 2), ElementsAre(Field(&KeyframeMatch::position, 0)));
   EXPECT_THAT(database.query({{7, 1.0F}}, 3), IsEmpty());
   EXPECT_THAT(database.query({}, 3), IsEmpty());
   EXPECT_THAT(KeyframeDatabase(10).query({{2, 1.0F}}, 0), IsEmpty());
@@ -84,11 +84,11 @@ TEST(CandidateGroups, NeighboursMakeAGroup) {
   ASSERT_EQ(groups.size(), 3U);
   EXPECT_EQ(groups[0].first, 3U);
   EXPECT_EQ(groups[0].last, 7U);
-  EXPECT_EQ(groups[0].best.keyframe, 4U);
+  EXPECT_EQ(groups[0].best.position, 4U);
   EXPECT_NEAR(groups[0].total_score, 0.6, 1e-12);
   // The earlier of two equal groups comes first.
-  EXPECT_EQ(groups[1].best.keyframe, 20U);
-  EXPECT_EQ(groups[2].best.keyframe, 90U);
+  EXPECT_EQ(groups[1].best.position, 20U);
+  EXPECT_EQ(groups[2].best.position, 90U);
   EXPECT_THAT(group_candidates({}, 3), IsEmpty());
 }
 

@@ -63,7 +63,7 @@ TEST(LoopVerifier, FindsThePoseOfACommonPlace) {
   EXPECT_GE(result.inliers, 190U);
   EXPECT_EQ(result.pixels.size(), result.inliers);
   // Half of the features that should be visible are inliers.
-  EXPECT_NEAR(result.visible_share, 0.5, 0.06);
+  EXPECT_NEAR(result.inlier_share, 0.5, 0.06);
   EXPECT_GT(result.coverage, 0.8);
 }
 
