@@ -19,7 +19,6 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-constexpr double kMillimetres = 1e3;
 constexpr double kMilliseconds = 1e3;
 
 const Row& header() {

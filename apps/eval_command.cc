@@ -86,7 +86,7 @@ int run_eval(const EvalArguments& arguments) {
   return kDone;
 }
 
-void add_options(Command& command, EvalArguments& arguments) {
+void add_eval_options(Command& command, EvalArguments& arguments) {
   auto& association = arguments.options.association;
   command.add("reference", &arguments.reference, "The true trajectory, a file in TUM format")
       .required();
@@ -124,7 +124,7 @@ void add_options(Command& command, EvalArguments& arguments) {
 void add_eval_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<EvalArguments>();
   Command command(app, "eval", "Compute the errors of a trajectory against a reference");
-  add_options(command, *arguments);
+  add_eval_options(command, *arguments);
   command.on_parsed(action, [arguments] { return run_eval(*arguments); });
 }
 

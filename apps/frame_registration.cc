@@ -16,8 +16,6 @@
 namespace cvo_slam {
 namespace {
 
-constexpr double kMillimetres = 1000;
-
 /// Returns why a tracker would reject the result; empty if it would not.
 std::string rejection_of(const RegistrationResult& result, const LostOptions& limits) {
   if (result.overlap < limits.min_overlap) {
@@ -42,7 +40,7 @@ PointCloud points_of(const RgbdFrame& frame, const std::string& name, const Came
   return cloud;
 }
 
-std::array<double, 3> array(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> components(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 std::string motion_text(const SE3& T) {
   return fmt::format("{:.1f} mm, {:.3f} deg", T.translation().norm() * kMillimetres,
@@ -91,13 +89,13 @@ std::string to_table(const FramePair& pair, const FrameRegistration& registratio
   std::string text = fmt::format("a              {}{}\nb              {}{}\n", pair.name_a,
                                  pair.source.empty() ? "" : " of " + pair.source, pair.name_b,
                                  pair.seconds ? fmt::format(", {:+.3f} s", *pair.seconds) : "");
-  text +=
-      fmt::format("T_a_b          {:.6f}  qx qy qz qw {:.6f}\n",
-                  fmt::join(array(T.translation()), " "), fmt::join(q.data(), q.data() + 4, " "));
+  text += fmt::format("T_a_b          {:.6f}  qx qy qz qw {:.6f}\n",
+                      fmt::join(components(T.translation()), " "),
+                      fmt::join(q.data(), q.data() + 4, " "));
   text += fmt::format("motion         {}\n", motion_text(T));
   text += fmt::format("deviations     x y z {:.2f} mm, about x y z {:.4f} deg\n",
-                      fmt::join(array(deviations.head<3>() * kMillimetres), " "),
-                      fmt::join(array(deviations.tail<3>() * kDegrees), " "));
+                      fmt::join(components(deviations.head<3>() * kMillimetres), " "),
+                      fmt::join(components(deviations.tail<3>() * kDegrees), " "));
   if (pair.T_a_b_truth) {
     text += fmt::format("error          {} from the reference\n",
                         motion_text(pair.T_a_b_truth->inverse() * T));

@@ -75,10 +75,11 @@ Json json_of(const EvaluationReport& report) {
 
 // The comparison with other systems.
 
-constexpr double kMilliseconds = 1e3;
+constexpr double kMillisecondsInASecond = 1e3;
 
 Json milliseconds(const Statistics& seconds) {
-  return {{"median", seconds.median * kMilliseconds}, {"mean", seconds.mean * kMilliseconds}};
+  return {{"median", seconds.median * kMillisecondsInASecond},
+          {"mean", seconds.mean * kMillisecondsInASecond}};
 }
 
 Json json_of(const ContestantResult& result) {

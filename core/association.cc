@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMaxTimeOffset = 1e6;
 
-void check(const AssociationOptions& options) {
+void check_association(const AssociationOptions& options) {
   if (!(options.max_difference >= 0)) {
     throw OptionError(
         fmt::format("max difference of stamps {} s: must be 0 or more", options.max_difference));
@@ -88,7 +88,7 @@ std::vector<MatchedPose> match_interpolated(const std::vector<StampedPose>& refe
   return matches;
 }
 
-std::string describe_range(const std::vector<StampedPose>& poses) {
+std::string describe_span(const std::vector<StampedPose>& poses) {
   return fmt::format("{} to {} s", poses.front().stamp.to_string(), poses.back().stamp.to_string());
 }
 
@@ -97,7 +97,7 @@ std::string describe_range(const std::vector<StampedPose>& poses) {
 std::vector<MatchedPose> associate(const std::vector<StampedPose>& reference,
                                    const std::vector<StampedPose>& estimate,
                                    const AssociationOptions& options) {
-  check(options);
+  check_association(options);
   if (reference.empty()) throw DataError("the reference trajectory has no pose");
   if (estimate.empty()) throw DataError("the estimated trajectory has no pose");
   const auto moved = shifted(estimate, options.time_offset);
@@ -107,7 +107,7 @@ std::vector<MatchedPose> associate(const std::vector<StampedPose>& reference,
     throw DataError(fmt::format(
         "no pose of the estimate ({}) has a partner in the reference ({}); check that they are of "
         "the same sequence, or give a time offset or a larger difference",
-        describe_range(moved), describe_range(reference)));
+        describe_span(moved), describe_span(reference)));
   }
   return matches;
 }

@@ -23,6 +23,9 @@ using AlignedMatrix6 = Eigen::Matrix<double, 6, 6>;
 /// One radian in degrees [deg/rad], for output to people: all angles inside are in radians.
 inline constexpr double kDegrees = 180 / std::numbers::pi;
 
+/// One metre in millimetres [mm/m], for output to people.
+inline constexpr double kMillimetres = 1000;
+
 /// Returns the skew-symmetric matrix w^ with w^ p = w x p.
 Matrix3 skew(const Vector3& w);
 

@@ -78,7 +78,7 @@ bool is_undetermined(const ObjectiveValue& value) {
   return !(eigenvalues.minCoeff() > kMinEigenvalueRatio * eigenvalues.maxCoeff());
 }
 
-RegistrationOptions checked(RegistrationOptions options) {
+RegistrationOptions checked_options(RegistrationOptions options) {
   describe(options).check();
   check_consistency(options);
   return options;
@@ -128,7 +128,7 @@ void check_consistency(const RegistrationOptions& options) {
 }
 
 Registration::Registration(const RegistrationOptions& options, int threads)
-    : impl_(std::make_unique<Impl>(Impl{checked(options), Executor(threads), {}, 0, {}, {}, {}})) {}
+    : impl_(std::make_unique<Impl>(Impl{checked_options(options), Executor(threads), {}, 0, {}, {}, {}})) {}
 
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;

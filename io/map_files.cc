@@ -65,7 +65,7 @@ EdgeKind parse_kind(const std::filesystem::path& file, const TextLine& line,
 }
 
 /// Returns the graph with the kinds of edges that the file gives.
-PoseGraph with_kinds(const PoseGraph& graph, const std::filesystem::path& file) {
+PoseGraph with_edge_kinds(const PoseGraph& graph, const std::filesystem::path& file) {
   const std::vector<TextLine> lines = read_word_lines(file);
   if (lines.size() != graph.edges().size()) {
     throw InputError(file,
@@ -123,7 +123,7 @@ Map read_map(const std::filesystem::path& folder) {
   Map map;
   if (has(kKeyframes)) map.keyframes = read_tum(folder / kKeyframes);
   if (has(kGraph)) map.graph = read_g2o(folder / kGraph);
-  if (has(kGraph) && has(kEdges)) map.graph = with_kinds(map.graph, folder / kEdges);
+  if (has(kGraph) && has(kEdges)) map.graph = with_edge_kinds(map.graph, folder / kEdges);
   if (has(kPoints)) map.points = read_ply(folder / kPoints);
   if (has(kKeyframes)) check_sizes(folder, map);
   return map;

@@ -58,7 +58,7 @@ StampedPose to_stamped_pose(const TextLine& line, const PoseNumbers& numbers,
   return {parse_stamp(line, 0, file), SE3::from_quaternion(qx, qy, qz, qw, {tx, ty, tz})};
 }
 
-std::string format_pose(const StampedPose& pose) {
+std::string format_line(const StampedPose& pose) {
   const Vector3& t = pose.T_world_camera.translation();
   const Eigen::Vector4d q = pose.T_world_camera.quaternion();
   return fmt::format("{} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f}\n",
@@ -127,7 +127,7 @@ void write_tum(const std::filesystem::path& file, const Trajectory& trajectory) 
   };
   for (const auto& pose : trajectory.poses) {
     write_lost_before(&pose.stamp);
-    text += format_pose(pose);
+    text += format_line(pose);
   }
   write_lost_before(nullptr);
   write_file(file, text);

@@ -100,7 +100,7 @@ std::string header_problem(const Header& header, std::size_t bytes) {
 }
 
 /// Returns why the bytes are no vocabulary; an empty text if they are one.
-std::string problem_of(std::span<const char> bytes) {
+std::string problem_of_bytes(std::span<const char> bytes) {
   const std::size_t magic_bytes = std::min(bytes.size(), kMagic.size());
   if (!std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(magic_bytes),
                   kMagic.begin())) {
@@ -178,7 +178,7 @@ std::string vocabulary_bytes(const Vocabulary& vocabulary) {
 }
 
 Vocabulary vocabulary_from_bytes(std::span<const char> bytes, const std::filesystem::path& name) {
-  const std::string problem = problem_of(bytes);
+  const std::string problem = problem_of_bytes(bytes);
   if (!problem.empty()) fail_binary(name, problem);
   const Header header(bytes);
   try {

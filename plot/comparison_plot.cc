@@ -14,8 +14,6 @@
 namespace cvo_slam {
 namespace {
 
-constexpr double kMillimetres = 1000;
-
 /// The style of an estimate; patterns and widths tell estimates apart without colours.
 struct EstimateStyle {
   Color color;

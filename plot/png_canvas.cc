@@ -29,7 +29,7 @@ cv::Point fixed_point(CanvasPoint point) {
           static_cast<int>(std::lround(point.y * kUnit))};
 }
 
-int thickness_of(double width) {
+int line_thickness(double width) {
   return std::max(1, static_cast<int>(std::lround(width * kOversampling)));
 }
 
@@ -77,8 +77,8 @@ class PngCanvas : public Canvas {
     for (const auto& stroke : strokes_of(points, dashes(style))) {
       std::vector<cv::Point> fixed(stroke.size());
       std::transform(stroke.begin(), stroke.end(), fixed.begin(), fixed_point);
-      cv::polylines(image_, fixed, false, bgr(style.color), thickness_of(style.width), cv::LINE_AA,
-                    kShift);
+      cv::polylines(image_, fixed, false, bgr(style.color), line_thickness(style.width),
+                    cv::LINE_AA, kShift);
     }
   }
 

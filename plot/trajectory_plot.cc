@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kWidth = 1500;  // [px]
-constexpr double kMillimetres = 1000;
 
 /// A projection along one axis of the world: the directions that point right and up in the panel.
 struct Projection {

@@ -104,7 +104,6 @@ std::string notes_section(const RunReport& report) {
 }
 
 std::string length_text(double metres) {
-  constexpr double kMillimetres = 1000;
   return metres < 1 ? fmt::format("{:.1f} mm", kMillimetres * metres)
                     : fmt::format("{:.2f} m", metres);
 }

@@ -32,7 +32,7 @@ struct NumberedFiles {
 };
 
 /// The kinds of files, by what stands behind the number: "frame-000012.color.png".
-constexpr std::array<std::pair<std::string_view, Path NumberedFiles::*>, 5> kKinds = {
+constexpr std::array<std::pair<std::string_view, Path NumberedFiles::*>, 5> kFileKinds = {
     {{".color.png", &NumberedFiles::color},
      {".color.jpg", &NumberedFiles::color},
      {".color.jpeg", &NumberedFiles::color},
@@ -53,7 +53,7 @@ std::optional<NumberedName> parse_name(std::string_view name) {
   constexpr std::size_t kMostDigits = 9;
   const auto number = parse_integer<int>(name.substr(0, digits));
   if (!number || *number < 0 || digits > kMostDigits || name.front() == '-') return std::nullopt;
-  for (const auto& [ending, kind] : kKinds) {
+  for (const auto& [ending, kind] : kFileKinds) {
     if (name.substr(digits) == ending) return NumberedName{*number, kind};
   }
   return std::nullopt;

@@ -5,6 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -78,6 +82,46 @@ std::string documented_row(const Room& room) {
     if (!library) text += fmt::format(", {}", name);
   }
   return text;
+}
+
+/// Returns the names of the functions and constants that a file defines for itself alone, each at
+/// the beginning of a line.
+std::set<std::string> private_names(const SourceFile& file) {
+  static const std::regex kFunction(R"(^[A-Za-z_][\w:<>,&* ]*[ &*](\w+)\(.*)");
+  static const std::regex kConstant(R"(^(?:constexpr|const)\s[^(){};=]*\b(k[A-Z]\w*)\b.*)");
+  std::set<std::string> names;
+  bool inside = false;
+  for (std::size_t i = 0; i < file.code.size(); ++i) {
+    const std::string& line = file.code[i];
+    if (line.starts_with("namespace {")) inside = true;
+    if (file.lines[i].starts_with("}  // namespace")) inside = false;
+    std::smatch match;
+    if (inside && line.size() < 200 &&
+        (std::regex_match(line, match, kFunction) || std::regex_match(line, match, kConstant))) {
+      names.insert(match[1]);
+    }
+  }
+  return names;
+}
+
+// In a unity build the sources of a room are one: a name of one file would hide that of another,
+// or be called in its place.
+TEST(Architecture, NamesOfAFileAreItsOwnInItsRoom) {
+  const std::set<std::string> alone = {"synthetic/house.cc",    "synthetic/office.cc",
+                                       "synthetic/room.cc",     "synthetic/value_noise.cc",
+                                       "frontend/pair_sums.cc", "loop/hamming.cc"};
+  std::map<std::string, std::string> owner;
+  for (const SourceFile& file : tree()) {
+    const Room* room = room_of(file.path);
+    if (!file.path.ends_with(".cc") || room == nullptr || alone.contains(file.path)) continue;
+    if (room->name == "tests" || room->name == "bench" || file.path == "apps/main.cc") continue;
+    for (const std::string& name : private_names(file)) {
+      const auto [entry, is_new] = owner.emplace(std::string(room->name) + " " + name, file.path);
+      EXPECT_TRUE(is_new) << file.path << ": '" << name << "' is also in " << entry->second
+                          << "; give one of them another name";
+    }
+  }
+  EXPECT_GT(owner.size(), 500U) << "the files must be understood";
 }
 
 TEST(Architecture, TheManualShowsTheIncludeTable) {
