@@ -188,7 +188,7 @@ TEST_F(RenderCommand, PointsInUtmCoordinatesAreDrawnAsThoseNearZero) {
 }
 
 /// Rows of a trajectory in TUM format along a curve at an offset; exact in binary.
-std::string curve(double x, double y) {
+std::string rows_of_curve(double x, double y) {
   std::string text;
   for (int i = 0; i < 32; ++i) {
     text += fmt::format("{}.5 {:.6f} {:.6f} 1 0 0 0 1\n", i, x + i / 8.0, y + i * i / 128.0);
@@ -197,8 +197,8 @@ std::string curve(double x, double y) {
 }
 
 TEST_F(RenderCommand, TrajectoriesInUtmCoordinatesAreDrawnAsThoseNearZero) {
-  const auto near = folder_.write("near/path.txt", curve(0, 0));
-  const auto far = folder_.write("far/path.txt", curve(400000, 5000000));
+  const auto near = folder_.write("near/path.txt", rows_of_curve(0, 0));
+  const auto far = folder_.write("far/path.txt", rows_of_curve(400000, 5000000));
   const auto near_points = folder_.write("near.ply", two_rows("float", 0, 0));
   const auto far_points = folder_.write("far.ply", two_rows("double", 400000, 5000000));
   for (const std::string view : {"top", "follow"}) {

@@ -235,7 +235,7 @@ TEST_F(Ply, OnePointFarFromTheOthersDoesNotMoveTheOrigin) {
   const PlyCloud near = read_cloud(kAsciiDoubles + "0 1 2\n900 0 0\n400000 5000000 0\n");
   EXPECT_EQ(near.origin, Vector3::Zero());
   EXPECT_EQ(near.points.at(0).position, Eigen::Vector3f(0, 1, 2));
-  const PlyCloud far = read_cloud(kAsciiDoubles + "0 0 0\n400001 -4999999 0\nnan 0 0\n");
+  const PlyCloud far = read_cloud(kAsciiDoubles + "0 0 0\n400001 -4999999 0\n400001 -4999999 0\n");
   EXPECT_EQ(far.origin, Vector3(400000, -5000000, 0));
   EXPECT_EQ(far.points.at(1).position, Eigen::Vector3f(1, 1, 0));
 }
