@@ -44,7 +44,7 @@ DatasetInfo measure(const Dataset& data) {
   return info;
 }
 
-nlohmann::json to_json(const PinholeCamera& camera) {
+nlohmann::json json_of_info(const PinholeCamera& camera) {
   return {{"width", camera.width},
           {"height", camera.height},
           {"fx", camera.fx},
@@ -54,11 +54,11 @@ nlohmann::json to_json(const PinholeCamera& camera) {
           {"distortion", camera.distortion}};
 }
 
-nlohmann::json to_json(const Camera& camera) {
-  nlohmann::json json = to_json(camera.color);
+nlohmann::json json_of_info(const Camera& camera) {
+  nlohmann::json json = json_of_info(camera.color);
   json["name"] = camera.name;
   json["depth_scale"] = camera.depth_scale;
-  json["depth"] = camera.depth ? to_json(camera.depth->pinhole) : nlohmann::json();
+  json["depth"] = camera.depth ? json_of_info(camera.depth->pinhole) : nlohmann::json();
   return json;
 }
 
@@ -68,7 +68,7 @@ void print_json(const Dataset& data, const std::optional<Reprojection>& agreemen
   nlohmann::json json = {
       {"name", data.name()},
       {"kind", data.kind()},
-      {"camera", to_json(data.camera())},
+      {"camera", json_of_info(data.camera())},
       {"camera_origin", data.camera_origin()},
       {"frames", data.size()},
       {"duration_s", info.duration},

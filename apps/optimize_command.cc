@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ struct OptimizeArguments {
   std::filesystem::path output;
   OptimizerOptions options;
   InitialPoses initial = InitialPoses::kAuto;
+  bool strict = false;
   bool json = false;
 };
 
@@ -40,6 +42,7 @@ struct OptimizeReport {
   GraphCosts before;
   GraphCosts after;
   Summary summary;
+  std::vector<std::string> notes;  ///< on the file, then on the optimisation
 };
 
 GraphCosts costs_of(const PoseGraph& graph) { return {graph_cost(graph), graph_chi2_g2o(graph)}; }
@@ -87,6 +90,7 @@ std::string to_table(const OptimizeReport& report) {
   text += fmt::format("seconds     {:.3f}\n", summary.seconds);
   text +=
       fmt::format("reason      {}{}\n", summary.converged ? "" : "NOT CONVERGED: ", summary.reason);
+  for (const std::string& note : report.notes) text += fmt::format("note        {}\n", note);
   return text;
 }
 
@@ -103,23 +107,29 @@ nlohmann::ordered_json to_json(const OptimizeReport& report) {
           {"solves", summary.solves},
           {"seconds", summary.seconds},
           {"converged", summary.converged},
-          {"reason", summary.reason}};
+          {"reason", summary.reason},
+          {"notes", report.notes}};
 }
 
 int run_optimize(const OptimizeArguments& arguments) {
-  PoseGraph graph = read_g2o(arguments.input);
+  std::vector<std::string> notes;
+  PoseGraph graph = read_g2o(arguments.input, notes,
+                             arguments.strict ? ForeignEntries::kRefuse : ForeignEntries::kSkip);
   OptimizerOptions options = arguments.options;
   choose_initial_poses(arguments.initial, graph, options);
-  OptimizeReport report{graph.nodes().size(), graph.edges().size(), count_parts(graph), {}, {}, {}};
+  OptimizeReport report{graph.nodes().size(), graph.edges().size(), count_parts(graph), {}, {}, {},
+                        std::move(notes)};
   report.before = costs_of(graph);
   report.summary = optimize(graph, options);
+  const std::vector<std::string>& more = report.summary.notes;
+  report.notes.insert(report.notes.end(), more.begin(), more.end());
   report.after = costs_of(graph);
   write_g2o(arguments.output, graph);
   fmt::print("{}", arguments.json ? to_json(report).dump(2) + "\n" : to_table(report));
   return report.summary.converged ? kDone : kFailed;
 }
 
-void add_options(Command& command, OptimizeArguments& arguments) {
+void add_optimize_options(Command& command, OptimizeArguments& arguments) {
   OptimizerOptions& options = arguments.options;
   command.add("in", &arguments.input, "A pose graph in g2o format (SE3:QUAT)").required();
   command.add("out", &arguments.output, "File for the optimised graph").required();
@@ -139,7 +149,8 @@ void add_options(Command& command, OptimizeArguments& arguments) {
        {"cauchy", RobustLoss::kCauchy},
        {"gnc", RobustLoss::kGnc}},
       "none, huber, cauchy or gnc: the robust loss of edges that do not join consecutive vertices; "
-      "gnc also finds the wrong ones among them (default none)");
+      "gnc also finds the wrong ones among them, and leaves connected what was connected (default "
+      "none)");
   command.add("--loss-scale", &options.loss_scale,
               "Standard deviations above which an edge is robustified (default 4.1)");
   command.add_choice<LinearSolver, LinearSolver>(
@@ -148,6 +159,9 @@ void add_options(Command& command, OptimizeArguments& arguments) {
       "suitesparse or eigen: the sparse Cholesky factorisation (default suitesparse)");
   command.add("--max-iterations", &options.max_iterations,
               "Largest number of iterations of a solve (default 100)");
+  command.add("--strict", &arguments.strict,
+              "Refuse a file with priors, landmarks or parameters instead of skipping them with a "
+              "note");
   command.add("--json", &arguments.json, "Print one JSON object instead of a table");
 }
 
@@ -156,7 +170,7 @@ void add_options(Command& command, OptimizeArguments& arguments) {
 void add_optimize_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<OptimizeArguments>();
   Command command(app, "optimize", "Optimise a pose graph with the back-end alone");
-  add_options(command, *arguments);
+  add_optimize_options(command, *arguments);
   command.on_parsed(action, [arguments] { return run_optimize(*arguments); });
 }
 

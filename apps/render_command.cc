@@ -67,9 +67,10 @@ void choose_colors(PathColor color, render::MapScene& scene) {
   render::add_path_by_time(scene, std::move(path.label), std::move(path.poses));
 }
 
-render::MapScene load_scene(const RenderArguments& arguments) {
+/// Returns the scene that the arguments ask for; adds what was not understood to `notes`.
+render::MapScene load_scene(const RenderArguments& arguments, std::vector<std::string>& notes) {
   render::MapScene scene;
-  for (const auto& input : arguments.inputs) add_to_scene(scene, input);
+  for (const auto& input : arguments.inputs) add_to_scene(scene, input, notes);
   const bool empty = scene.points.empty() && scene.keyframes.empty() &&
                      std::all_of(scene.paths.begin(), scene.paths.end(),
                                  [](const render::Path& path) { return path.poses.empty(); });
@@ -81,7 +82,6 @@ render::MapScene load_scene(const RenderArguments& arguments) {
   scene.up = estimate_up(scene);
   choose_colors(arguments.color, scene);
   if (!arguments.reference.empty()) {
-    std::vector<std::string> notes;
     add_reference(scene, read_tum_in_any_order(arguments.reference, notes), arguments.color);
   } else if (arguments.color == PathColor::kError) {
     throw OptionError("--color error needs the true trajectory: name it with --reference");
@@ -139,9 +139,11 @@ int run_render(RenderArguments arguments) {
   if (arguments.out.empty() && arguments.video.empty()) {
     throw OptionError("say where to write the picture: -o out.png, or --video out.avi");
   }
-  const render::MapScene scene = load_scene(arguments);
+  std::vector<std::string> notes;
+  const render::MapScene scene = load_scene(arguments, notes);
   const auto renderer = render::make_renderer(arguments.renderer);
-  for (const auto& note : render::scene_notes(scene)) fmt::print(stderr, "note: {}\n", note);
+  for (std::string& note : render::scene_notes(scene)) notes.push_back(std::move(note));
+  for (const auto& note : notes) fmt::print(stderr, "note: {}\n", note);
   if (arguments.frames > 0) {
     draw_tour(arguments, scene, *renderer);
     return kDone;
@@ -178,7 +180,7 @@ void add_view_options(Command& command, RenderArguments& arguments) {
 void add_options(Command& command, RenderArguments& arguments) {
   command
       .add("inputs", &arguments.inputs,
-           "Folder of a run, trajectories (TUM format), a .g2o or a .ply file; several are drawn "
+           "Folder of a run, trajectories (TUM format), g2o or PLY files; several are drawn "
            "together")
       .required();
   command.add("-o,--out", &arguments.out, "The picture to write: .png or .jpg");

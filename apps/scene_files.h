@@ -14,9 +14,12 @@ namespace cvo_slam {
 /// The quantity that colours a path.
 enum class PathColor { kTime, kError, kPlain };
 
-/// Adds the content of a file or folder: the folder of a run (map and trajectory), a graph (.g2o),
-/// points (.ply), or a trajectory in TUM format (any other file). Throws InputError.
-void add_to_scene(render::MapScene& scene, const std::filesystem::path& input);
+/// Adds the content of a file or folder: the folder of a run (map and trajectory), points (PLY), a
+/// graph (g2o), or a trajectory in TUM format. Files are told apart by .ply and .g2o, in upper or
+/// lower case, or else by how they begin. A scene that is far from zero gets an origin near by.
+/// Adds what was not understood to `notes`. Throws InputError.
+void add_to_scene(render::MapScene& scene, const std::filesystem::path& input,
+                  std::vector<std::string>& notes);
 
 /// Adds the true path, fitted to the first path of the scene. Its z axis points up in motion
 /// capture; it becomes the up direction of the scene if the two differ by less than 45 degrees.

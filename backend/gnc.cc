@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cvo_slam/backend/connectivity_internal.h"
 #include "cvo_slam/backend/gnc_internal.h"
 #include "cvo_slam/backend/minimize_internal.h"
 #include "cvo_slam/backend/robust_loss_internal.h"
@@ -68,8 +69,8 @@ SearchReport solve(PoseGraph& graph, const OptimizerOptions& options, std::vecto
   const bool started_chordal = choose_start(part, plain);
   const MinimizeReport report = minimize(part, plain);
   take_poses(graph, part);
-  return {report.iterations, 1, report.converged, report.reason, started_chordal,
-          std::move(weights)};
+  return {report.iterations,  1, report.converged, report.reason, started_chordal,
+          std::move(weights), {}};
 }
 
 std::vector<double> robust_squared_errors(const PoseGraph& graph) {
@@ -84,25 +85,40 @@ bool is_decided(const std::vector<double>& weights) {
   return std::all_of(weights.begin(), weights.end(), [](double w) { return w <= 0 || w >= 1; });
 }
 
+/// Weights of the edges, and the edges that reconnect_parts() kept.
+struct Decision {
+  std::vector<double> weights;
+  std::vector<std::size_t> kept;
+};
+
+/// Keeps the parts of the graph connected. Without a connection, errors of the edges between two
+/// parts would not say which of them is right.
+void reconnect(const PoseGraph& graph, Decision& decision) {
+  const std::vector<std::size_t> kept = reconnect_parts(graph, decision.weights);
+  decision.kept.insert(decision.kept.end(), kept.begin(), kept.end());
+}
+
 /// Returns the weights, each 0 or 1 except for edges that are undecided when the steps run out;
 /// moves the poses.
-std::vector<double> graduated_weights(PoseGraph& graph, const OptimizerOptions& options) {
+Decision graduated_decision(PoseGraph& graph, const OptimizerOptions& options) {
   const double c2 = options.loss_scale * options.loss_scale;
-  std::vector<double> weights(graph.edges().size(), 1.0);
+  Decision decision{std::vector<double>(graph.edges().size(), 1.0), {}};
+  std::vector<double>& weights = decision.weights;
   fit_roughly(graph, options, weights);
   std::vector<double> errors = robust_squared_errors(graph);
   const double largest = errors.empty() ? 0 : *std::max_element(errors.begin(), errors.end());
-  if (largest <= c2) return weights;
+  if (largest <= c2) return decision;
   double mu = c2 / std::max(2 * largest - c2, c2);  // Remark 5 of the paper: nearly convex
   for (int step = 0; step < kMostSteps; ++step) {
     std::transform(errors.begin(), errors.end(), weights.begin(),
                    [&](double s) { return gnc_weight(s, c2, mu); });
+    reconnect(graph, decision);
     if (is_decided(weights)) break;
     fit_roughly(graph, options, weights);
     errors = robust_squared_errors(graph);
     mu *= options.gnc_factor;
   }
-  return weights;
+  return decision;
 }
 
 }  // namespace
@@ -115,21 +131,23 @@ double gnc_weight(double s, double c2, double mu) {
 
 SearchReport graduate(PoseGraph& graph, const OptimizerOptions& options) {
   PoseGraph trial = graph;
-  std::vector<double> first_weights = graduated_weights(trial, options);
+  Decision decision = graduated_decision(trial, options);
   if (options.initialization == Initialization::kGiven) take_poses(graph, trial);
-  SearchReport total = solve(graph, options, std::move(first_weights));
+  SearchReport total = solve(graph, options, decision.weights);
   // The rough poses may have put an edge near the limit on the wrong side.
   OptimizerOptions again = options;
   again.initialization = Initialization::kGiven;
   for (int i = 0; i < kMostRefinements; ++i) {
-    std::vector<double> weights = robust_weights(graph, options);
-    if (weights == total.weights) break;
-    SearchReport last = solve(graph, again, std::move(weights));
+    decision.weights = robust_weights(graph, options);
+    reconnect(graph, decision);
+    if (decision.weights == total.weights) break;
+    SearchReport last = solve(graph, again, decision.weights);
     last.iterations += total.iterations;
     last.solves += total.solves;
     last.started_chordal = total.started_chordal;
     total = std::move(last);
   }
+  total.kept = std::move(decision.kept);
   return total;
 }
 

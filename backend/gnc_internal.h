@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct SearchReport {
   std::string reason;
   bool started_chordal = false;
   std::vector<double> weights;
+  std::vector<std::size_t> kept;  ///< edges that were rejected, but that reconnect_parts() kept
 };
 
 /// Fits the graph repeatedly, weighting its robust edges, until each of them is accepted or

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "cvo_slam/backend/connectivity_internal.h"
 #include "cvo_slam/backend/gnc_internal.h"
 #include "cvo_slam/backend/minimize_internal.h"
 #include "cvo_slam/backend/robust_loss_internal.h"
@@ -17,9 +18,13 @@ SearchReport search(PoseGraph& graph, const OptimizerOptions& options) {
   if (options.loss == RobustLoss::kGnc) return graduate(graph, options);
   const bool started_chordal = choose_start(graph, options);
   const MinimizeReport report = minimize(graph, options);
-  return {report.iterations, 1,
-          report.converged,  report.reason,
-          started_chordal,   robust_weights(graph, options)};
+  return {report.iterations,
+          1,
+          report.converged,
+          report.reason,
+          started_chordal,
+          robust_weights(graph, options),
+          {}};
 }
 
 }  // namespace
@@ -71,6 +76,7 @@ Summary optimize(PoseGraph& graph, const OptimizerOptions& options) {
   const double initial_cost = robust_cost(graph, options);
   SearchReport report = search(graph, options);
   const double final_cost = robust_cost(graph, options);
+  std::vector<std::string> notes = connectivity_notes(graph, report.weights, report.kept);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   return {.initial_cost = initial_cost,
           .final_cost = final_cost,
@@ -80,7 +86,8 @@ Summary optimize(PoseGraph& graph, const OptimizerOptions& options) {
           .reason = std::move(report.reason),
           .started_chordal = report.started_chordal,
           .weights = std::move(report.weights),
-          .seconds = elapsed.count()};
+          .seconds = elapsed.count(),
+          .notes = std::move(notes)};
 }
 
 }  // namespace cvo_slam

@@ -19,7 +19,8 @@ enum class RobustLoss {
   kHuber,   ///< s up to c^2, then 2 c sqrt(s) - c^2
   kCauchy,  ///< c^2 log(1 + s / c^2)
   /// min(s, c^2), reached by graduated non-convexity: an edge is accepted or rejected. H. Yang et
-  /// al., "Graduated Non-Convexity for Robust Spatial Perception", RA-L 2020.
+  /// al., "Graduated Non-Convexity for Robust Spatial Perception", RA-L 2020. What the edges
+  /// connect stays connected: of rejected edges that would, the best ones are kept.
   kGnc,
 };
 
@@ -71,6 +72,10 @@ struct Summary {
   bool started_chordal = false;  ///< true if the search started at the chordal poses
   std::vector<double> weights;   ///< of each edge, in [0, 1]; below 0.5 the edge is rejected
   double seconds = 0;            ///< wall time
+  /// What a robust loss did that needs a look, a line each: edges that RobustLoss::kGnc kept
+  /// although they are wrong, because a part of the graph would have come loose without them, and
+  /// the rejection of everything that closes a loop.
+  std::vector<std::string> notes;
 
   /// Returns the number of edges with a weight below 0.5.
   [[nodiscard]] std::size_t rejected_edges() const;

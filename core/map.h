@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,11 +22,25 @@ namespace cvo_slam {
 
 /// A point of a surface.
 struct MapPoint {
-  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< in the world [m]
+  /// Relative to the origin of its cloud [m], which is zero unless the cloud says otherwise.
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
   /// Unit vector towards the side the point was seen from; zero if it is not known.
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   std::array<std::uint8_t, 3> color = {0, 0, 0};  ///< red, green, blue
 };
+
+/// Returns an origin for positions near `place` [m]. A float tells positions a kilometre from zero
+/// 0.06 mm apart, but positions in UTM coordinates half a metre: within a kilometre of zero the
+/// origin is zero, farther away it is `place` in whole kilometres. It is zero, too, if `place` is
+/// not finite or is beyond a million kilometres.
+[[nodiscard]] inline Vector3 origin_near(const Vector3& place) {
+  constexpr double kNear = 1e3;
+  constexpr double kFarthest = 1e9;
+  const double farthest = place.cwiseAbs().maxCoeff();
+  if (!place.allFinite() || farthest <= kNear || farthest > kFarthest) return Vector3::Zero();
+  // + 0.0 makes a negative zero positive.
+  return place.unaryExpr([](double value) { return kNear * std::round(value / kNear) + 0.0; });
+}
 
 /// A map: the poses of the keyframes, the measurements between them, and the surface they saw.
 struct Map {
@@ -33,6 +48,7 @@ struct Map {
   /// Node i is keyframe i and has its pose. Without nodes if nothing but the poses is known.
   PoseGraph graph;
   std::vector<MapPoint> points;
+  Vector3 points_origin = Vector3::Zero();  ///< added to the points' positions [m]
 };
 
 /// How the points of a map are computed from frames.
@@ -75,8 +91,10 @@ struct PosedFrame {
 /// by 1 / sigma_z^2 of the camera's noise model. Normals are computed from the depth images and
 /// point to the camera. Pixels at the rim of a surface, surfaces seen at a grazing angle, and
 /// frames without images or with a pose that is not finite are left out. Points are in the order in
-/// which their voxels were met, whatever the number of threads. Throws OptionError if the camera or
-/// an option is impossible.
+/// which their voxels were met, whatever the number of threads. Positions are floats: poses far
+/// from zero should be made relative to an origin (origin_near()). What is more than 2^20 voxels
+/// from zero along an axis is left out. Throws OptionError if the camera or an option is
+/// impossible.
 [[nodiscard]] std::vector<MapPoint> fuse_points(std::span<const PosedFrame> frames,
                                                 const Camera& camera,
                                                 const FusionOptions& options = {},

@@ -38,17 +38,20 @@ void check_edge(const PoseGraphEdge& edge) {
   };
   if (edge.from == edge.to) fail("both ends are the same node; remove it");
   if (!edge.T_from_to.matrix().allFinite()) {
-    fail("the measurement has values that are not finite numbers");
+    fail("the measurement has values that are not finite numbers; repair or remove the edge");
   }
   const std::string problem = information_problem(edge.information);
-  if (!problem.empty()) fail(fmt::format("the information matrix {}", problem));
+  if (!problem.empty()) {
+    fail(fmt::format("the information matrix {}; repair or remove the edge", problem));
+  }
 }
 
 }  // namespace
 
 void PoseGraph::add_node(const PoseGraphNode& node) {
   if (!node.T_world_node.matrix().allFinite()) {
-    throw DataError(fmt::format("node {}: the pose has values that are not finite", node.id));
+    throw DataError(
+        fmt::format("node {}: the pose has values that are not finite; repair it", node.id));
   }
   if (!index_.emplace(node.id, nodes_.size()).second) {
     throw DataError(fmt::format("node {} exists already; ids must be unique", node.id));

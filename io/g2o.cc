@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/g2o.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
@@ -29,6 +35,7 @@ class Words {
 
   [[nodiscard]] const std::string& tag() const { return line_.words.front(); }
   [[nodiscard]] std::size_t count() const { return line_.words.size() - 1; }
+  [[nodiscard]] long line() const { return line_.number; }
 
   [[noreturn]] void fail(const std::string& problem) const {
     throw InputError(file_, line_.number, problem);
@@ -36,13 +43,16 @@ class Words {
 
   void expect(std::size_t values, std::string_view what) const {
     if (count() == values) return;
-    fail(fmt::format("{} has {} values, expected {}: {}", tag(), count(), values, what));
+    fail(fmt::format("{} has {} values, expected {}: {}; repair or remove the line", tag(), count(),
+                     values, what));
   }
 
   NodeId id() {
     const std::string& word = next();
     const auto value = parse_integer<NodeId>(word);
-    if (!value) fail(fmt::format("'{}' is not the number of a vertex", word));
+    if (!value) {
+      fail(fmt::format("'{}' is not the number of a vertex; write a whole number", word));
+    }
     return *value;
   }
 
@@ -98,12 +108,15 @@ PoseGraphEdge parse_edge(Words& words) {
   return edge;
 }
 
+/// Returns true for an edge between neighbours in the order of ids: programs measure the motion
+/// from the older to the newer node, or from the newer to the older one.
 bool joins_successive_nodes(const PoseGraphEdge& edge, const std::set<NodeId>& ids) {
-  const auto next = ids.upper_bound(edge.from);
-  return next != ids.end() && *next == edge.to;
+  const auto [older, newer] = std::minmax(edge.from, edge.to);
+  const auto next = ids.upper_bound(older);
+  return next != ids.end() && *next == newer;
 }
 
-/// Returns the same graph with the edges that do not join a node to the next one marked as loops.
+/// Returns the same graph with the edges that do not join successive nodes marked as loops.
 PoseGraph with_kinds(const PoseGraph& graph) {
   std::set<NodeId> ids;
   PoseGraph result;
@@ -119,32 +132,146 @@ PoseGraph with_kinds(const PoseGraph& graph) {
   return result;
 }
 
-void fix(PoseGraph& graph, Words& words) {
-  if (words.count() == 0) words.fail("FIX names no vertex; remove the line");
-  for (std::size_t i = 0; i < words.count(); ++i) graph.set_fixed(graph.index_of(words.id()), true);
+/// Raises eigenvalues of an information matrix that are negative by rounding to 0. Returns false if
+/// there is none; matrices that are really indefinite stay as they are.
+bool repair_rounding(Matrix6& information) {
+  if (Eigen::LLT<AlignedMatrix6>(information).info() == Eigen::Success) return false;
+  const Eigen::SelfAdjointEigenSolver<AlignedMatrix6> eigen(information);
+  const double largest = eigen.eigenvalues().maxCoeff();
+  const double smallest = eigen.eigenvalues().minCoeff();
+  constexpr double kRounding = 1e-9;  // of the values in a file
+  constexpr double kExact = 1e-14;    // of the eigenvalues: a matrix of low rank is no fault
+  if (!(smallest > -kRounding * largest) || smallest >= -kExact * largest) return false;
+  const AlignedMatrix6 raised = eigen.eigenvectors() *
+                                eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+                                eigen.eigenvectors().transpose();
+  information = (raised + raised.transpose()) / 2;
+  return true;
+}
+
+/// Returns what a foreign entry is, as a plural; empty for an entry that is not known.
+std::string_view foreign_kind(std::string_view tag) {
+  const auto contains = [&](std::initializer_list<std::string_view> parts) {
+    return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
+      return tag.find(part) != std::string_view::npos;
+    });
+  };
+  if (tag.starts_with("PARAMS_")) return "parameters";
+  if (!tag.starts_with("VERTEX_") && !tag.starts_with("EDGE_")) return {};
+  if (contains({"PRIOR"})) return "priors";
+  return contains({"XYZ", "TRACK", "PROJECT", "PLANE"}) ? "landmarks" : std::string_view();
+}
+
+bool is_planar(std::string_view tag) {
+  constexpr std::array<std::string_view, 4> kPlanar = {"VERTEX2", "EDGE2", "VERTEX_XY", "EDGE_XY"};
+  const bool is_entry = tag.starts_with("VERTEX") || tag.starts_with("EDGE");
+  return (is_entry && tag.find("SE2") != std::string_view::npos) ||
+         std::find(kPlanar.begin(), kPlanar.end(), tag) != kPlanar.end();
 }
 
 [[noreturn]] void fail_unknown(const Words& words) {
   const std::string_view tag = words.tag();
-  if (tag.find("SE2") != std::string_view::npos || tag == "VERTEX2" || tag == "EDGE2") {
+  if (is_planar(tag)) {
     words.fail(fmt::format("{}: a planar graph; only 3D graphs are read, make it {} and {}", tag,
                            kVertex, kEdge));
   }
-  words.fail(fmt::format("unknown entry '{}'; {}, {} and {} are read", tag, kVertex, kEdge, kFix));
+  words.fail(fmt::format("unknown entry '{}'; {}, {} and {} are read: remove the line", tag,
+                         kVertex, kEdge, kFix));
 }
 
-/// Adds the entry of a line if it has this tag. Edges may stand above their vertices: a reader adds
-/// one kind of entry after the other.
-void add_entries(PoseGraph& graph, std::string_view tag, Words words) {
-  if (words.tag() != tag) return;
-  try {
-    if (tag == kVertex) graph.add_node(parse_vertex(words));
-    if (tag == kEdge) graph.add_edge(parse_edge(words));
-    if (tag == kFix) fix(graph, words);
-  } catch (const DataError& error) {
-    words.fail(error.what());
+/// Makes a graph of the lines of a file and notes what it leaves out or changes.
+class GraphReader {
+ public:
+  GraphReader(const std::filesystem::path& file, ForeignEntries foreign)
+      : file_(file), foreign_(foreign) {}
+
+  PoseGraph read() {
+    const std::vector<TextLine> lines = read_word_lines(file_);
+    for (const TextLine& line : lines) check(Words(file_, line));
+    // Edges may stand above their vertices.
+    for (const std::string_view tag : {kVertex, kEdge, kFix}) {
+      for (const TextLine& line : lines) add(tag, Words(file_, line));
+    }
+    if (graph_.nodes().empty()) {
+      throw InputError(file_, fmt::format("no {} in it; is it a pose graph?", kVertex));
+    }
+    return with_kinds(graph_);
   }
-}
+
+  [[nodiscard]] std::vector<std::string> notes() const {
+    const std::string name = file_.filename().string();
+    std::vector<std::string> notes;
+    for (const Skipped& skipped : skipped_) {
+      notes.push_back(fmt::format("{}: {} line{} {} skipped, from line {} on: {} are not read",
+                                  name, skipped.count, skipped.count == 1 ? "" : "s", skipped.tag,
+                                  skipped.first_line, foreign_kind(skipped.tag)));
+    }
+    if (repaired_ > 0) {
+      notes.push_back(fmt::format(
+          "{}: {} information matri{} negative by rounding, the first in line {}: eigenvalues "
+          "between -1e-9 of the largest and 0 are taken as 0",
+          name, repaired_, repaired_ == 1 ? "x is" : "ces are", first_repaired_));
+    }
+    return notes;
+  }
+
+ private:
+  /// Lines of one tag that are not read.
+  struct Skipped {
+    std::string tag;
+    std::size_t count = 0;
+    long first_line = 0;
+  };
+
+  void check(Words words) {
+    const std::string& tag = words.tag();
+    if (tag == kVertex || tag == kEdge || tag == kFix) return;
+    const std::string_view kind = foreign_kind(tag);
+    if (is_planar(tag) || kind.empty()) fail_unknown(words);
+    if (foreign_ == ForeignEntries::kRefuse) {
+      words.fail(fmt::format("{}: {} are not read; remove the line", tag, kind));
+    }
+    if (tag.starts_with("VERTEX") && words.count() > 0) landmarks_.insert(words.id());
+    auto entry = std::find_if(skipped_.begin(), skipped_.end(),
+                              [&](const Skipped& skipped) { return skipped.tag == tag; });
+    if (entry == skipped_.end()) entry = skipped_.insert(entry, {tag, 0, words.line()});
+    ++entry->count;
+  }
+
+  /// Adds the entry of a line if it has this tag.
+  void add(std::string_view tag, Words words) {
+    if (words.tag() != tag) return;
+    try {
+      if (tag == kVertex) graph_.add_node(parse_vertex(words));
+      if (tag == kEdge) add_edge(words);
+      if (tag == kFix) fix(words);
+    } catch (const DataError& error) {
+      words.fail(error.what());
+    }
+  }
+
+  void add_edge(Words& words) {
+    PoseGraphEdge edge = parse_edge(words);
+    if (repair_rounding(edge.information) && repaired_++ == 0) first_repaired_ = words.line();
+    graph_.add_edge(edge);
+  }
+
+  void fix(Words& words) {
+    if (words.count() == 0) words.fail("FIX names no vertex; remove the line");
+    for (std::size_t i = 0; i < words.count(); ++i) {
+      const NodeId id = words.id();
+      if (!landmarks_.contains(id)) graph_.set_fixed(graph_.index_of(id), true);
+    }
+  }
+
+  const std::filesystem::path& file_;
+  ForeignEntries foreign_;
+  PoseGraph graph_;
+  std::vector<Skipped> skipped_;  // in the order of their first lines
+  std::set<NodeId> landmarks_;
+  std::size_t repaired_ = 0;
+  long first_repaired_ = 0;
+};
 
 Eigen::Vector4d rounded_quaternion(const SE3& pose) {
   constexpr double kGrid = 1e14;
@@ -187,20 +314,17 @@ std::string format_edge(const PoseGraphEdge& edge) {
 
 }  // namespace
 
+PoseGraph read_g2o(const std::filesystem::path& file, std::vector<std::string>& notes,
+                   ForeignEntries foreign) {
+  GraphReader reader(file, foreign);
+  PoseGraph graph = reader.read();
+  for (std::string& note : reader.notes()) notes.push_back(std::move(note));
+  return graph;
+}
+
 PoseGraph read_g2o(const std::filesystem::path& file) {
-  const std::vector<TextLine> lines = read_word_lines(file);
-  for (const TextLine& line : lines) {
-    const Words words(file, line);
-    if (words.tag() != kVertex && words.tag() != kEdge && words.tag() != kFix) fail_unknown(words);
-  }
-  PoseGraph graph;
-  for (const std::string_view tag : {kVertex, kEdge, kFix}) {
-    for (const TextLine& line : lines) add_entries(graph, tag, Words(file, line));
-  }
-  if (graph.nodes().empty()) {
-    throw InputError(file, fmt::format("no {} in it; is it a pose graph?", kVertex));
-  }
-  return with_kinds(graph);
+  std::vector<std::string> notes;
+  return read_g2o(file, notes, ForeignEntries::kRefuse);
 }
 
 void write_g2o(const std::filesystem::path& file, const PoseGraph& graph) {

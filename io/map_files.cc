@@ -91,6 +91,33 @@ void check_sizes(const std::filesystem::path& folder, const Map& map) {
                                        map.keyframes.size(), kKeyframes, nodes, kGraph));
 }
 
+void read_points(const std::filesystem::path& file, Map& map, std::vector<std::string>& notes) {
+  PlyCloud cloud = read_ply(file);
+  map.points = std::move(cloud.points);
+  map.points_origin = cloud.origin;
+  notes.insert(notes.end(), cloud.notes.begin(), cloud.notes.end());
+}
+
+Map read_files(const std::filesystem::path& folder, std::vector<std::string>& notes,
+               ForeignEntries foreign) {
+  const auto has = [&](std::string_view name) { return std::filesystem::exists(folder / name); };
+  if (!std::filesystem::is_directory(folder)) {
+    throw InputError(folder, "is not a folder; give a folder that cvo_slam run has written");
+  }
+  if (!has(kKeyframes) && !has(kGraph) && !has(kPoints)) {
+    throw InputError(folder, fmt::format("holds no map: none of {}, {} and {}; give a folder that "
+                                         "cvo_slam run has written",
+                                         kKeyframes, kGraph, kPoints));
+  }
+  Map map;
+  if (has(kKeyframes)) map.keyframes = read_tum(folder / kKeyframes);
+  if (has(kGraph)) map.graph = read_g2o(folder / kGraph, notes, foreign);
+  if (has(kGraph) && has(kEdges)) map.graph = with_edge_kinds(map.graph, folder / kEdges);
+  if (has(kPoints)) read_points(folder / kPoints, map, notes);
+  if (has(kKeyframes)) check_sizes(folder, map);
+  return map;
+}
+
 }  // namespace
 
 void write_map(const std::filesystem::path& folder, const Map& map) {
@@ -107,26 +134,16 @@ void write_map(const std::filesystem::path& folder, const Map& map) {
     write_g2o(folder / kGraph, map.graph);
     write_file(folder / kEdges, edges_text(map.graph));
   }
-  if (!map.points.empty()) write_ply(folder / kPoints, map.points);
+  if (!map.points.empty()) write_ply(folder / kPoints, map.points, map.points_origin);
+}
+
+Map read_map(const std::filesystem::path& folder, std::vector<std::string>& notes) {
+  return read_files(folder, notes, ForeignEntries::kSkip);
 }
 
 Map read_map(const std::filesystem::path& folder) {
-  const auto has = [&](std::string_view name) { return std::filesystem::exists(folder / name); };
-  if (!std::filesystem::is_directory(folder)) {
-    throw InputError(folder, "is not a folder; give a folder that cvo_slam run has written");
-  }
-  if (!has(kKeyframes) && !has(kGraph) && !has(kPoints)) {
-    throw InputError(folder, fmt::format("holds no map: none of {}, {} and {}; give a folder that "
-                                         "cvo_slam run has written",
-                                         kKeyframes, kGraph, kPoints));
-  }
-  Map map;
-  if (has(kKeyframes)) map.keyframes = read_tum(folder / kKeyframes);
-  if (has(kGraph)) map.graph = read_g2o(folder / kGraph);
-  if (has(kGraph) && has(kEdges)) map.graph = with_edge_kinds(map.graph, folder / kEdges);
-  if (has(kPoints)) map.points = read_ply(folder / kPoints);
-  if (has(kKeyframes)) check_sizes(folder, map);
-  return map;
+  std::vector<std::string> notes;
+  return read_files(folder, notes, ForeignEntries::kRefuse);
 }
 
 }  // namespace cvo_slam

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "cvo_slam/core/map.h"
 
@@ -19,7 +21,12 @@ namespace cvo_slam {
 void write_map(const std::filesystem::path& folder, const Map& map);
 
 /// Reads a map from a folder that write_map() or `cvo_slam run` wrote. Each of the files may be
-/// missing, but not all of them. Throws InputError.
+/// missing, but not all of them. Adds the notes of read_g2o() and read_ply() to `notes`. Throws
+/// InputError.
+[[nodiscard]] Map read_map(const std::filesystem::path& folder, std::vector<std::string>& notes);
+
+/// Reads a map like read_map() above for a caller without a place for notes: entries of graph.g2o
+/// that would be skipped with a note are refused.
 [[nodiscard]] Map read_map(const std::filesystem::path& folder);
 
 }  // namespace cvo_slam

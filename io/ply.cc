@@ -3,213 +3,231 @@
 #include "cvo_slam/io/ply.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/ply_header_internal.h"
-#include "cvo_slam/io/text_internal.h"
+#include "cvo_slam/io/ply_vertices_internal.h"
 
 namespace cvo_slam {
 namespace {
 
-static_assert(std::endian::native == std::endian::little,
-              "values are copied without swapping bytes");
+using Rgb = std::array<std::uint8_t, 3>;
+constexpr Rgb kLightGrey = {190, 190, 190};
+constexpr double kByteLevels = 255;
+constexpr double kWordLevels = 65535;
 
-/// Values of a vertex, indexed by PlyMeaning.
-using VertexValues = std::array<double, kPlyMeanings>;
-
-template <typename T>
-double value_at(const char* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof(T));
-  return static_cast<double>(value);
+Vector3 position_of(const PlyVertex& vertex) {
+  return {vertex[PlyMeaning::kX], vertex[PlyMeaning::kY], vertex[PlyMeaning::kZ]};
 }
 
-double value_at(const char* bytes, PlyType type) {
-  switch (type) {
-    case PlyType::kInt8:
-      return value_at<std::int8_t>(bytes);
-    case PlyType::kUint8:
-      return value_at<std::uint8_t>(bytes);
-    case PlyType::kInt16:
-      return value_at<std::int16_t>(bytes);
-    case PlyType::kUint16:
-      return value_at<std::uint16_t>(bytes);
-    case PlyType::kInt32:
-      return value_at<std::int32_t>(bytes);
-    case PlyType::kUint32:
-      return value_at<std::uint32_t>(bytes);
-    case PlyType::kFloat:
-      return value_at<float>(bytes);
-    case PlyType::kDouble:
-      return value_at<double>(bytes);
-  }
-  return 0;
+Vector3 color_of(const PlyVertex& vertex) {
+  return {vertex[PlyMeaning::kRed], vertex[PlyMeaning::kGreen], vertex[PlyMeaning::kBlue]};
 }
 
-double& at(VertexValues& values, PlyMeaning meaning) {
-  return values[static_cast<std::size_t>(meaning)];
+/// Returns how many of three properties there are.
+int count_of(const PlyHeader& header, const std::array<PlyMeaning, 3>& meanings) {
+  return static_cast<int>(
+      std::count_if(meanings.begin(), meanings.end(), [&](PlyMeaning m) { return header.has(m); }));
 }
 
-/// Converts the values of a vertex to a point, as the header describes them.
-class PointMaker {
- public:
-  explicit PointMaker(const PlyHeader& header)
-      : has_normals_(header.has(PlyMeaning::kNx) && header.has(PlyMeaning::kNy) &&
-                     header.has(PlyMeaning::kNz)),
-        has_colors_(header.has(PlyMeaning::kRed) && header.has(PlyMeaning::kGreen) &&
-                    header.has(PlyMeaning::kBlue)) {
-    const auto is_real = [](const PlyProperty& property) {
-      return property.meaning == PlyMeaning::kRed &&
-             (property.type == PlyType::kFloat || property.type == PlyType::kDouble);
-    };
-    const bool real = std::any_of(header.properties.begin(), header.properties.end(), is_real);
-    color_scale_ = real ? 255 : 1;
-  }
+constexpr std::array kColors = {PlyMeaning::kRed, PlyMeaning::kGreen, PlyMeaning::kBlue};
+constexpr std::array kNormals = {PlyMeaning::kNx, PlyMeaning::kNy, PlyMeaning::kNz};
 
-  [[nodiscard]] MapPoint operator()(VertexValues& values) const {
-    MapPoint point;
-    point.position = vector(values, PlyMeaning::kX, PlyMeaning::kY, PlyMeaning::kZ);
-    if (has_normals_) {
-      point.normal = vector(values, PlyMeaning::kNx, PlyMeaning::kNy, PlyMeaning::kNz);
-    }
-    constexpr std::uint8_t kLightGrey = 190;
-    point.color = {kLightGrey, kLightGrey, kLightGrey};
-    if (has_colors_) {
-      point.color = {level(at(values, PlyMeaning::kRed)), level(at(values, PlyMeaning::kGreen)),
-                     level(at(values, PlyMeaning::kBlue))};
-    }
-    return point;
-  }
-
- private:
-  static Eigen::Vector3f vector(VertexValues& values, PlyMeaning x, PlyMeaning y, PlyMeaning z) {
-    return {static_cast<float>(at(values, x)), static_cast<float>(at(values, y)),
-            static_cast<float>(at(values, z))};
-  }
-
-  [[nodiscard]] std::uint8_t level(double value) const {
-    const double scaled = std::isfinite(value) ? color_scale_ * value : 0;
-    return static_cast<std::uint8_t>(std::lround(std::clamp(scaled, 0.0, 255.0)));
-  }
-
-  bool has_normals_;
-  bool has_colors_;
-  double color_scale_ = 1;
+/// What the values of all vertices say of how they are to be read.
+struct Survey {
+  std::vector<Vector3> places;  ///< finite positions, at most a few thousand
+  double largest_level = 0;     ///< of the finite colours, if there are any
+  double smallest_level = 0;
+  bool has_fractions = false;  ///< true if a level is no whole number, whatever its type is
+  std::size_t bad_colors = 0;  ///< points whose colours are not finite
 };
 
-std::vector<MapPoint> read_binary(const std::filesystem::path& file, const PlyHeader& header,
-                                  std::string_view text) {
-  const std::size_t size = header.bytes_per_vertex();
-  const std::size_t begin = header.size + header.bytes_before;
-  // Division instead of multiplication: the number of vertices in a bad file may overflow.
-  if (begin > text.size() || header.vertices > (text.size() - begin) / size) {
-    throw InputError(file, fmt::format("ends at byte {}, but its header promises {} vertices of {} "
-                                       "bytes from byte {}; the file is cut off",
-                                       text.size(), header.vertices, size, begin));
-  }
-  const PointMaker make_point(header);
-  std::vector<MapPoint> points;
-  points.reserve(header.vertices);
-  const char* bytes = text.data() + begin;
-  VertexValues values{};
-  for (std::size_t i = 0; i < header.vertices; ++i) {
-    for (const PlyProperty& property : header.properties) {
-      at(values, property.meaning) = value_at(bytes, property.type);
-      bytes += size_of(property.type);
+Survey survey(const std::filesystem::path& file, const PlyHeader& header, std::string_view text) {
+  constexpr std::size_t kEnough = 4096;
+  const std::size_t step = 1 + header.vertices / kEnough;
+  Survey result;
+  std::size_t i = 0;
+  for_each_vertex(file, header, text, [&](const PlyVertex& vertex) {
+    const Vector3 place = position_of(vertex);
+    if (i++ % step == 0 && place.allFinite()) result.places.push_back(place);
+    const Vector3 color = color_of(vertex);
+    if (!color.allFinite()) {
+      ++result.bad_colors;
+      return;
     }
-    points.push_back(make_point(values));
-  }
-  return points;
+    result.largest_level = std::max(result.largest_level, color.maxCoeff());
+    result.smallest_level = std::min(result.smallest_level, color.minCoeff());
+    result.has_fractions = result.has_fractions || color != color.array().floor().matrix();
+  });
+  return result;
 }
 
-/// Takes the lines behind the header one after the other.
-class Lines {
- public:
-  Lines(std::string_view text, long number) : text_(text), number_(number) {}
-
-  [[nodiscard]] long number() const { return number_; }
-  /// Returns false at the end of the file.
-  bool next(std::string_view& line) {
-    if (text_.empty()) return false;
-    const std::size_t end = text_.find('\n');
-    line = text_.substr(0, end);
-    text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-    ++number_;
-    return true;
+/// Returns the median of the positions, coordinate by coordinate: few stray points do not move it.
+Vector3 middle_of(std::vector<Vector3> places) {
+  if (places.empty()) return Vector3::Zero();
+  Vector3 middle;
+  const auto half = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::nth_element(places.begin(), half, places.end(),
+                     [&](const Vector3& a, const Vector3& b) { return a[axis] < b[axis]; });
+    middle[axis] = (*half)[axis];
   }
+  return middle;
+}
 
- private:
-  std::string_view text_;
-  long number_;
+/// Returns true if a colour is of a type that can have fractions.
+bool has_real_colors(const PlyHeader& header) {
+  return std::any_of(header.properties.begin(), header.properties.end(), [&](const auto& property) {
+    const bool is_real = property.type == PlyType::kFloat || property.type == PlyType::kDouble;
+    return is_real && std::find(kColors.begin(), kColors.end(), property.meaning) != kColors.end();
+  });
+}
+
+/// Returns the level of full brightness; 0 if the values do not tell. Computed colours may be
+/// a little brighter than full brightness, so the next larger range begins at twice a range.
+double full_level(const PlyHeader& header, const Survey& values) {
+  const double largest = values.largest_level;
+  if ((values.has_fractions || has_real_colors(header)) && largest <= 2) return 1;
+  if (largest <= 2 * kByteLevels) return kByteLevels;
+  return largest <= 2 * kWordLevels ? kWordLevels : 0;
+}
+
+/// Returns the names of the properties that are not understood, the first few of them.
+std::string unknown_properties(const PlyHeader& header) {
+  std::vector<std::string_view> names;
+  for (const PlyProperty& property : header.properties) {
+    if (property.meaning == PlyMeaning::kOther) names.push_back(property.name);
+  }
+  constexpr std::size_t kMost = 4;
+  const std::size_t shown = std::min(names.size(), kMost);
+  const std::string rest =
+      names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "";
+  names.resize(shown);
+  return fmt::format("{}{}", fmt::join(names, ", "), rest);
+}
+
+/// How the colours of a file are read.
+struct ColorReading {
+  double full = 0;                 ///< the level of full brightness; 0: the points are grey
+  std::vector<std::string> notes;  ///< what was not understood
 };
 
-/// Accepts nan, which point clouds have where nothing was measured.
-double parse_value(const std::filesystem::path& file, long line, const std::string& word) {
-  if (word == "nan" || word == "-nan") return std::nan("");
-  const auto value = parse_finite(word);
-  if (!value) throw InputError(file, line, fmt::format("'{}' is not a number", word));
-  return *value;
+/// Returns why a file has no colours, as a note; empty if nothing in it could be one.
+std::string note_without_colors(const PlyHeader& header) {
+  if (count_of(header, kColors) > 0) {
+    return "red, green and blue are not all there; the points are grey";
+  }
+  const std::string names = unknown_properties(header);
+  if (names.empty()) return {};
+  return fmt::format("no red, green and blue among the properties ({}); the points are grey",
+                     names);
 }
 
-std::vector<MapPoint> read_ascii(const std::filesystem::path& file, const PlyHeader& header,
-                                 std::string_view text) {
-  const PointMaker make_point(header);
-  Lines lines(text.substr(header.size), header.lines);
-  std::vector<MapPoint> points;
-  VertexValues values{};
-  for (std::size_t i = 0; i < header.lines_before + header.vertices; ++i) {
-    std::string_view line;
-    if (!lines.next(line)) {
-      throw InputError(file, lines.number(),
-                       fmt::format("ends after {} of {} vertices; the file is cut off",
-                                   points.size(), header.vertices));
-    }
-    if (i < header.lines_before) continue;
-    const std::vector<std::string> words = split_words(std::string(line));
-    if (words.size() != header.properties.size()) {
-      throw InputError(file, lines.number(),
-                       fmt::format("a vertex of {} values, the header promises {}", words.size(),
-                                   header.properties.size()));
-    }
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      at(values, header.properties[k].meaning) = parse_value(file, lines.number(), words[k]);
-    }
-    points.push_back(make_point(values));
+ColorReading reading_of(const PlyHeader& header, const Survey& values) {
+  if (count_of(header, kColors) < 3) {
+    const std::string note = note_without_colors(header);
+    return {0, note.empty() ? std::vector<std::string>{} : std::vector{note}};
   }
-  return points;
+  const double full = full_level(header, values);
+  if (full == 0) {
+    return {0,
+            {fmt::format("colours up to {:.6g} are not understood: they should end at 1, 255 or "
+                         "65535; the points are grey",
+                         values.largest_level)}};
+  }
+  ColorReading reading{full, {}};
+  if (values.largest_level > full) {
+    reading.notes.push_back(
+        fmt::format("colours up to {:.6g} are cut off at {:.6g}", values.largest_level, full));
+  }
+  if (values.smallest_level < 0) {
+    reading.notes.push_back(
+        fmt::format("colours down to {:.6g} are cut off at 0", values.smallest_level));
+  }
+  constexpr double kFewLevels = 4096;  // of sensors with 10 or 12 bits
+  if (full == kWordLevels && values.largest_level < kFewLevels) {
+    reading.notes.push_back(
+        fmt::format("colours up to {:.6g} are taken as 16-bit values and are dark; write them with "
+                    "full brightness at 65535",
+                    values.largest_level));
+  }
+  if (values.bad_colors > 0) {
+    reading.notes.push_back(
+        fmt::format("{} point{} with colours that are not finite numbers; "
+                    "grey",
+                    values.bad_colors, values.bad_colors == 1 ? "" : "s"));
+  }
+  return reading;
+}
+
+std::uint8_t byte_of(double level, double full) {
+  const double scaled = kByteLevels / full * level;
+  return static_cast<std::uint8_t>(std::lround(std::clamp(scaled, 0.0, kByteLevels)));
+}
+
+Rgb rgb_of(const Vector3& color, double full) {
+  if (full == 0 || !color.allFinite()) return kLightGrey;
+  return {byte_of(color[0], full), byte_of(color[1], full), byte_of(color[2], full)};
 }
 
 void append(std::string& bytes, const Eigen::Vector3f& vector) {
   bytes.append(reinterpret_cast<const char*>(vector.data()), 3 * sizeof(float));
 }
 
-}  // namespace
-
-std::vector<MapPoint> read_ply(const std::filesystem::path& file) {
-  const std::string text = read_file(file);
-  const PlyHeader header = parse_ply_header(file, text);
-  return header.is_binary ? read_binary(file, header, text) : read_ascii(file, header, text);
+void append(std::string& bytes, const Vector3& vector) {
+  bytes.append(reinterpret_cast<const char*>(vector.data()), 3 * sizeof(double));
 }
 
-void write_ply(const std::filesystem::path& file, std::span<const MapPoint> points) {
+}  // namespace
+
+PlyCloud read_ply(const std::filesystem::path& file) {
+  const std::string text = read_file(file);
+  const PlyHeader header = parse_ply_header(file, text);
+  // The first pass also finds a file that is cut off, before there is memory for its points.
+  const Survey values = survey(file, header, text);
+  const ColorReading colors = reading_of(header, values);
+  const bool has_normals = count_of(header, kNormals) == 3;
+  PlyCloud cloud;
+  cloud.origin = origin_near(middle_of(values.places));
+  for (const std::string& note : colors.notes) {
+    cloud.notes.push_back(fmt::format("{}: {}", file.filename().string(), note));
+  }
+  cloud.points.reserve(header.vertices);
+  for_each_vertex(file, header, text, [&](const PlyVertex& vertex) {
+    MapPoint& point = cloud.points.emplace_back();
+    point.position = (position_of(vertex) - cloud.origin).cast<float>();
+    const Vector3 normal(vertex[PlyMeaning::kNx], vertex[PlyMeaning::kNy], vertex[PlyMeaning::kNz]);
+    if (has_normals && normal.allFinite()) point.normal = normal.cast<float>();
+    point.color = rgb_of(color_of(vertex), colors.full);
+  });
+  return cloud;
+}
+
+void write_ply(const std::filesystem::path& file, std::span<const MapPoint> points,
+               const Vector3& origin) {
+  const bool is_near = origin.isZero(0);
   std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment cvo_slam map, metres\nelement vertex {}\n"
-      "property float x\nproperty float y\nproperty float z\n"
+      "ply\nformat binary_little_endian 1.0\ncomment cvo_slam map, metres\nelement vertex {0}\n"
+      "property {1} x\nproperty {1} y\nproperty {1} z\n"
       "property float nx\nproperty float ny\nproperty float nz\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-      points.size());
-  constexpr std::size_t kBytesPerPoint = 27;
-  bytes.reserve(bytes.size() + kBytesPerPoint * points.size());
+      points.size(), is_near ? "float" : "double");
+  const std::size_t bytes_per_point = is_near ? 27 : 39;
+  bytes.reserve(bytes.size() + bytes_per_point * points.size());
   for (const MapPoint& point : points) {
-    append(bytes, point.position);
+    if (is_near) {
+      append(bytes, point.position);
+    } else {
+      append(bytes, Vector3(origin + point.position.cast<double>()));
+    }
     append(bytes, point.normal);
     bytes.append(reinterpret_cast<const char*>(point.color.data()), point.color.size());
   }

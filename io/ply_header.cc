@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,6 +59,23 @@ std::optional<Value> find(const Names<Value, kCount>& names, std::string_view na
   return entry->second;
 }
 
+constexpr std::size_t kMostElements = std::numeric_limits<std::size_t>::max();
+
+/// Returns the sum, or the largest number if the sum is larger.
+std::size_t bounded_sum(std::size_t a, std::size_t b) {
+  return a > kMostElements - b ? kMostElements : a + b;
+}
+
+/// Returns the product, or the largest number if the product is larger.
+std::size_t bounded_product(std::size_t a, std::size_t b) {
+  return b != 0 && a > kMostElements / b ? kMostElements : a * b;
+}
+
+bool is_color(PlyMeaning meaning) {
+  return meaning == PlyMeaning::kRed || meaning == PlyMeaning::kGreen ||
+         meaning == PlyMeaning::kBlue;
+}
+
 /// Reads the header line by line.
 class HeaderParser {
  public:
@@ -65,6 +83,8 @@ class HeaderParser {
       : file_(file), text_(text) {}
 
   PlyHeader parse() {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text_.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
     if (!next_line() || words_ != std::vector<std::string>{"ply"}) {
       fail("does not begin with 'ply'; is it a PLY file?");
     }
@@ -106,7 +126,8 @@ class HeaderParser {
     } else if (word == "property") {
       parse_property();
     } else if (word != "comment" && word != "obj_info") {
-      fail(fmt::format("unknown entry '{}' in the header of a PLY file", word));
+      fail(fmt::format("unknown entry '{}' in the header of a PLY file; repair or remove the line",
+                       word));
     }
   }
 
@@ -121,10 +142,15 @@ class HeaderParser {
   }
 
   void parse_element() {
-    if (words_.size() != 3) fail("an element has a name and a count");
+    if (words_.size() != 3) {
+      fail("an element has a name and a count, as in 'element vertex 100'; repair the header");
+    }
     const auto count = parse_integer<std::size_t>(words_[2]);
-    if (!count) fail(fmt::format("'{}' is not a number of elements", words_[2]));
+    if (!count) {
+      fail(fmt::format("'{}' is not a number of elements; repair the header", words_[2]));
+    }
     if (words_[1] == "vertex") {
+      if (has_vertices_) fail("a second element 'vertex'; leave one in the file");
       element_ = Element::kVertices;
       header_.vertices = *count;
       has_vertices_ = true;
@@ -133,32 +159,38 @@ class HeaderParser {
     element_ = has_vertices_ ? Element::kAfterVertices : Element::kBeforeVertices;
     if (has_vertices_) return;
     count_before_ = *count;
-    header_.lines_before += *count;
+    header_.lines_before = bounded_sum(header_.lines_before, *count);
   }
 
   void parse_property() {
-    if (element_ == Element::kNone) fail("a property before any element");
+    if (element_ == Element::kNone) fail("a property before any element; repair the header");
     if (element_ == Element::kAfterVertices) return;
     if (words_.size() != 3) {
       fail(words_.size() > 1 && words_[1] == "list"
-               ? "lists are read only behind the vertices; write the vertices first"
-               : "a property has a type and a name");
+               ? "lists are read only behind the vertices; write the vertices first, without lists"
+               : "a property has a type and a name, as in 'property float x'; repair the header");
     }
     const auto type = find(kTypes, words_[1]);
-    if (!type) fail(fmt::format("unknown type '{}'", words_[1]));
+    if (!type) {
+      fail(fmt::format("unknown type '{}'; write float, double, uchar or another type of PLY",
+                       words_[1]));
+    }
     if (element_ == Element::kBeforeVertices) {
-      header_.bytes_before += count_before_ * size_of(*type);
+      header_.bytes_before =
+          bounded_sum(header_.bytes_before, bounded_product(count_before_, size_of(*type)));
       return;
     }
-    const auto meaning = find(kMeanings, words_[2]).value_or(PlyMeaning::kOther);
-    header_.properties.push_back({*type, meaning});
+    const auto meaning = find(kMeanings, to_lower(words_[2])).value_or(PlyMeaning::kOther);
+    // Some programs call bytes char: no colour is negative.
+    const bool is_byte = *type == PlyType::kInt8 && is_color(meaning);
+    header_.properties.push_back({is_byte ? PlyType::kUint8 : *type, meaning, words_[2]});
   }
 
   void check() const {
-    if (!has_format_) fail("the header has no line 'format'");
-    if (!has_vertices_) fail("the header has no element 'vertex'");
+    if (!has_format_) fail("the header has no line 'format'; is it a PLY file?");
+    if (!has_vertices_) fail("the header has no element 'vertex'; only vertices are read");
     for (const auto meaning : {PlyMeaning::kX, PlyMeaning::kY, PlyMeaning::kZ}) {
-      if (!header_.has(meaning)) fail("the vertices have no x, y and z");
+      if (!header_.has(meaning)) fail("the vertices have no x, y and z; write them");
     }
   }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,7 @@ inline constexpr std::size_t kPlyMeanings = 10;
 struct PlyProperty {
   PlyType type = PlyType::kFloat;
   PlyMeaning meaning = PlyMeaning::kOther;
+  std::string name;
 };
 
 /// The header of a PLY file, which stands above its values.
@@ -28,16 +30,20 @@ struct PlyHeader {
   bool is_binary = false;
   std::size_t vertices = 0;
   std::vector<PlyProperty> properties;  ///< properties of a vertex, in order
-  std::size_t lines_before = 0;         ///< number of ASCII lines between header and vertices
-  std::size_t bytes_before = 0;         ///< number of binary bytes between header and vertices
-  std::size_t size = 0;                 ///< size of the header [bytes]
-  long lines = 0;                       ///< number of lines of the header
+  /// Numbers of ASCII lines and of binary bytes between header and vertices; the largest number
+  /// there is if the sum would be larger.
+  std::size_t lines_before = 0;
+  std::size_t bytes_before = 0;
+  std::size_t size = 0;  ///< size of the header [bytes]
+  long lines = 0;        ///< number of lines of the header
 
   [[nodiscard]] std::size_t bytes_per_vertex() const;
   [[nodiscard]] bool has(PlyMeaning meaning) const;
 };
 
-/// Parses the header of `text`, the content of `file`. Throws InputError with the line.
+/// Parses the header of `text`, the content of `file`. Names of properties may be in upper case.
+/// The numbers of elements are those of the header, however short the file is. Throws InputError
+/// with the line.
 [[nodiscard]] PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace cvo_slam

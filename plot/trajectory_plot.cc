@@ -7,11 +7,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/core/association.h"
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/core/se3.h"
 
 namespace cvo_slam {
@@ -25,24 +27,33 @@ struct Projection {
   const char* title;
   Vector3 right;
   Vector3 up;
-  const char* x_label;
-  const char* y_label;
 };
 
 std::array<Projection, 3> projections_with_z_up() {
   const Vector3 x = Vector3::UnitX();
   const Vector3 y = Vector3::UnitY();
   const Vector3 z = Vector3::UnitZ();
-  return {Projection{"Top", x, y, "x [m]", "y [m]"}, Projection{"Front", x, z, "x [m]", "z [m]"},
-          Projection{"Side", y, z, "y [m]", "z [m]"}};
+  return {Projection{"Top", x, y}, Projection{"Front", x, z}, Projection{"Side", y, z}};
 }
 
 std::array<Projection, 3> projections_of_camera_frame() {
   const Vector3 x = Vector3::UnitX();
   const Vector3 y = Vector3::UnitY();
   const Vector3 z = Vector3::UnitZ();
-  return {Projection{"Top", x, z, "x [m]", "z [m]"}, Projection{"Front", x, -y, "x [m]", "-y [m]"},
-          Projection{"Side", z, -y, "z [m]", "-y [m]"}};
+  return {Projection{"Top", x, z}, Projection{"Front", x, -y}, Projection{"Side", z, -y}};
+}
+
+/// Returns the label of an axis along x, y, z or the opposite of one of them; with what is taken
+/// off the coordinate if that is not zero: "x - 400000 [m]".
+std::string label_of(const Vector3& direction, const Vector3& origin) {
+  int axis = 0;
+  direction.cwiseAbs().maxCoeff(&axis);
+  const bool is_negative = direction[axis] < 0;
+  const char name = "xyz"[axis];
+  if (origin[axis] == 0) return fmt::format("{}{} [m]", is_negative ? "-" : "", name);
+  const std::string difference =
+      fmt::format("{} {} {:.0f}", name, origin[axis] < 0 ? '+' : '-', std::fabs(origin[axis]));
+  return is_negative ? fmt::format("-({}) [m]", difference) : difference + " [m]";
 }
 
 /// Returns true if the up direction of the world is z, as in motion capture, and not -y, as in the
@@ -70,20 +81,22 @@ bool is_gap(const std::vector<Stamped>& items, std::size_t i, double longest_ste
   return i > 0 && seconds_between(items[i - 1].stamp, items[i].stamp) > longest_step;
 }
 
-Series projected(const std::vector<StampedPose>& poses, const Projection& view) {
+Series projected(const std::vector<StampedPose>& poses, const Projection& view,
+                 const Vector3& origin) {
   const double longest_step = longest_drawn_step(poses);
   Series series;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (is_gap(poses, i, longest_step)) append(series, kNaN, kNaN);
-    const Vector3& position = poses[i].T_world_camera.translation();
+    const Vector3 position = poses[i].T_world_camera.translation() - origin;
     append(series, view.right.dot(position), view.up.dot(position));
   }
   return series;
 }
 
 Panel view_panel(const std::vector<StampedPose>& reference,
-                 const std::vector<StampedPose>& estimate, const Projection& view) {
-  Panel panel{view.title, view.x_label, view.y_label, {}, true};
+                 const std::vector<StampedPose>& estimate, const Projection& view,
+                 const Vector3& origin) {
+  Panel panel{view.title, label_of(view.right, origin), label_of(view.up, origin), {}, true};
   const auto add = [&](Series series, const char* label, Color color, double width) {
     series.label = label;
     series.color = color;
@@ -91,10 +104,10 @@ Panel view_panel(const std::vector<StampedPose>& reference,
     panel.series.push_back(std::move(series));
   };
   // Wide and grey below narrow and blue can be told apart in print too.
-  if (!reference.empty()) add(projected(reference, view), "ground truth", kGrey, 3);
+  if (!reference.empty()) add(projected(reference, view, origin), "ground truth", kGrey, 3);
   if (estimate.empty()) return panel;
-  add(projected(estimate, view), "estimate", kBlue, 1.3);
-  add(projected({estimate.front()}, view), "start", kVermilion, 4.5);
+  add(projected(estimate, view, origin), "estimate", kBlue, 1.3);
+  add(projected({estimate.front()}, view, origin), "start", kVermilion, 4.5);
   panel.series.back().style = SeriesStyle::kPoints;
   return panel;
 }
@@ -125,6 +138,13 @@ Panel error_panel(const std::string& name, const char* quantity, const char* uni
   return panel;
 }
 
+Vector3 origin_of(const std::vector<StampedPose>& reference,
+                  const std::vector<StampedPose>& estimate) {
+  const std::vector<StampedPose>& first = reference.empty() ? estimate : reference;
+  return first.empty() ? Vector3(Vector3::Zero())
+                       : origin_near(first.front().T_world_camera.translation());
+}
+
 std::optional<Timestamp> first_stamp(const std::vector<ErrorCurve>& curves) {
   std::optional<Timestamp> first;
   for (const auto& curve : curves) {
@@ -143,9 +163,10 @@ Figure trajectory_figure(const std::vector<StampedPose>& reference,
   figure.columns = 3;
   figure.width = kWidth;
   figure.height = 560;
+  const Vector3 origin = origin_of(reference, estimate);
   const bool z_up = !reference.empty() && is_z_up(reference);
   for (const auto& view : z_up ? projections_with_z_up() : projections_of_camera_frame()) {
-    figure.panels.push_back(view_panel(reference, estimate, view));
+    figure.panels.push_back(view_panel(reference, estimate, view, origin));
   }
   return figure;
 }

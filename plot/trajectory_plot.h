@@ -14,7 +14,9 @@ namespace cvo_slam {
 /// Returns top, front and side views of an estimate [m], drawn over the reference if there is one.
 /// Both must be in the same world (core/alignment.h). The up direction is z, as in motion capture,
 /// if the mean up direction of the reference's cameras is nearer to z than to -y. Otherwise, and
-/// without a reference, it is -y, as in the frame of a camera, and z points ahead.
+/// without a reference, it is -y, as in the frame of a camera, and z points ahead. Coordinates far
+/// from zero are drawn relative to an origin near the first pose, which the labels of the axes
+/// name.
 [[nodiscard]] Figure trajectory_figure(const std::vector<StampedPose>& reference,
                                        const std::vector<StampedPose>& estimate);
 

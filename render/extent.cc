@@ -30,7 +30,7 @@ double direction_of_walls(const LevelAxes& axes, const std::vector<MapPoint>& po
   std::complex<double> sum;
   double count = 0;
   for (std::size_t i = 0; i < points.size(); i += step) {
-    const Vector3 normal = axes.coordinates(points[i].normal.cast<double>());
+    const Vector3 normal = axes.coordinates(unit_normal(points[i]));
     const bool is_wall = std::fabs(normal.z()) < kLevel && normal.squaredNorm() > 0.25;
     if (!is_wall) continue;
     // The factor 4 makes the four wall directions of a room one.

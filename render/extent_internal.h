@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -12,6 +13,17 @@ namespace cvo_slam::render {
 /// Returns true if a position is finite and near enough to be drawn.
 [[nodiscard]] inline bool is_drawable(const Vector3& place) {
   return place.cwiseAbs().maxCoeff() <= kMaxCoordinate && place.allFinite();
+}
+
+/// Returns the normal of a point, a unit vector; zero if the point has none. Foreign files have
+/// normals of any length.
+[[nodiscard]] inline Vector3 unit_normal(const MapPoint& point) {
+  const Vector3 normal = point.normal.cast<double>();
+  const double length = normal.norm();
+  constexpr double kRounding = 1e-3;  // of values in a file: the normal is used as it is
+  if (std::abs(length - 1) < kRounding) return normal;
+  constexpr double kLeast = 1e-3;
+  return std::isfinite(length) && length > kLeast ? Vector3(normal / length) : Vector3::Zero();
 }
 
 /// The axes of a level world: two horizontal ones and up, right-handed.

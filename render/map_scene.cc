@@ -23,7 +23,7 @@ Vector3 refined_up(const Vector3& up, const std::vector<MapPoint>& points, doubl
   std::size_t looked_at = 0;
   std::size_t agreeing = 0;
   for (std::size_t i = 0; i < points.size(); i += step) {
-    const Vector3 normal = points[i].normal.cast<double>();
+    const Vector3 normal = unit_normal(points[i]);
     ++looked_at;
     if (!(normal.dot(up) > cosine)) continue;
     sum += normal;
@@ -33,12 +33,31 @@ Vector3 refined_up(const Vector3& up, const std::vector<MapPoint>& points, doubl
   return kLeastShare * agreeing > looked_at ? sum.normalized() : up;
 }
 
+SE3 moved(const SE3& pose, const Vector3& by) { return {pose.rotation(), pose.translation() + by}; }
+
 std::string left_out(std::size_t count, const char* what) {
   return fmt::format("{} {}{} left out: not finite, or beyond {:.0f} km", count, what,
                      count == 1 ? "" : "s", kMaxCoordinate / 1000);
 }
 
 }  // namespace
+
+void set_origin(MapScene& scene, const Vector3& origin) {
+  const Vector3 by = scene.origin - origin;
+  scene.origin = origin;
+  if (by.isZero(0)) return;
+  for (MapPoint& point : scene.points) {
+    point.position = (point.position.cast<double>() + by).cast<float>();
+  }
+  for (Path& path : scene.paths) {
+    for (StampedPose& pose : path.poses) pose.T_world_camera = moved(pose.T_world_camera, by);
+  }
+  for (SE3& keyframe : scene.keyframes) keyframe = moved(keyframe, by);
+  for (Constraint& constraint : scene.constraints) {
+    constraint.from += by;
+    constraint.to += by;
+  }
+}
 
 std::vector<std::string> scene_notes(const MapScene& scene) {
   const auto points = std::count_if(
@@ -53,6 +72,12 @@ std::vector<std::string> scene_notes(const MapScene& scene) {
   std::vector<std::string> notes;
   if (points > 0) notes.push_back(left_out(static_cast<std::size_t>(points), "point"));
   if (poses > 0) notes.push_back(left_out(poses, "pose"));
+  if (!scene.origin.isZero(0)) {
+    notes.push_back(
+        fmt::format("far from the origin: axes and numbers of the picture begin at "
+                    "({:.0f}, {:.0f}, {:.0f}) m",
+                    scene.origin.x(), scene.origin.y(), scene.origin.z()));
+  }
   return notes;
 }
 
@@ -73,7 +98,6 @@ Vector3 estimate_up(const std::vector<SE3>& cameras, const std::vector<MapPoint>
 
 MapScene make_scene(const Map& map) {
   MapScene scene;
-  scene.points = map.points;
   for (const StampedPose& keyframe : map.keyframes) {
     scene.keyframes.push_back(keyframe.T_world_camera);
   }
@@ -86,6 +110,8 @@ MapScene make_scene(const Map& map) {
     scene.constraints.push_back({nodes[from].T_world_node.translation(),
                                  nodes[to].T_world_node.translation(), map.graph.edges()[i].kind});
   }
+  set_origin(scene, map.points_origin);
+  scene.points = map.points;  // relative to that origin already
   scene.up = estimate_up(scene.keyframes, scene.points);
   return scene;
 }

@@ -32,6 +32,10 @@ struct Constraint {
 /// kMaxCoordinate are left out of the picture; scene_notes() reports them.
 struct MapScene {
   std::string title;
+  /// Position in the world that all positions of the scene are relative to [m]: points are floats,
+  /// which cannot tell small distances apart far from zero. The picture's axes and the numbers on
+  /// its grid begin here.
+  Vector3 origin = Vector3::Zero();
   std::vector<MapPoint> points;
   double point_size = 0;  ///< diameter of a point [m]; 0 = estimated from the density
   std::vector<Path> paths;
@@ -43,18 +47,24 @@ struct MapScene {
   bool ground = true;  ///< draws the metric grid with its numbers, and the axes of the world
 };
 
-/// Largest coordinate that is drawn [m]. Beyond it, the 24 bits of a float cannot tell positions
-/// half a metre apart.
+/// Largest coordinate that is drawn, from the origin of the scene [m]. Beyond it, the 24 bits of a
+/// float cannot tell positions half a metre apart.
 inline constexpr double kMaxCoordinate = 1e7;
 
-/// Returns what is left out of the picture and why, a line each.
+/// Makes all positions of the scene relative to another position in the world [m]. Nothing moves in
+/// the world, but floats are rounded anew.
+void set_origin(MapScene& scene, const Vector3& origin);
+
+/// Returns what the picture does not show by itself, a line each: what is left out and why, and an
+/// origin that is not that of the world.
 [[nodiscard]] std::vector<std::string> scene_notes(const MapScene& scene);
 
-/// Returns a scene of the map's keyframes, constraints and points. Its up direction is that of
-/// estimate_up().
+/// Returns a scene of the map's keyframes, constraints and points, whose origin is that of the
+/// points. Its up direction is that of estimate_up().
 [[nodiscard]] MapScene make_scene(const Map& map);
 
-/// Adds a path that is coloured by the seconds since its first pose, and sets `value_label`.
+/// Adds a path that is coloured by the seconds since its first pose, and sets `value_label`. Its
+/// poses are relative to the origin of the scene.
 void add_path_by_time(MapScene& scene, std::string label, std::vector<StampedPose> poses);
 
 /// Returns the up direction of a world whose direction of gravity is not known: the direction near

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <string>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -81,6 +83,12 @@ void shade_by_depth(const MapView& view, int radius, Raster& raster) {
       }
     }
   }
+}
+
+std::string to_lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
 /// The picture is drawn this much larger and then shrunk.
@@ -163,13 +171,13 @@ Picture draw_picture(const MapScene& scene, const MapView& seen_from, Renderer& 
 }
 
 void write_picture(const std::filesystem::path& file, const cv::Mat& image) {
-  const std::string extension = file.extension().string();
+  const std::string extension = to_lower(file.extension().string());
   const bool jpeg = extension == ".jpg" || extension == ".jpeg";
   std::vector<unsigned char> bytes;
   const std::vector<int> options =
       jpeg ? std::vector<int>{cv::IMWRITE_JPEG_QUALITY, 85} : std::vector<int>{};
   if (!cv::imencode(jpeg ? ".jpg" : ".png", image, bytes, options)) {
-    throw OutputError(file, "OpenCV cannot encode the image");
+    throw OutputError(file, "OpenCV cannot encode the image; choose another size or .png");
   }
   write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }

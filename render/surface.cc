@@ -69,9 +69,9 @@ class SurfaceView {
     if (!in_front || !(depth >= 0 && depth < 1) || !view_.camera.contains(p.head<2>())) {
       return std::nullopt;
     }
-    const Vector3 normal = point.normal.cast<double>();
+    const Vector3 normal = unit_normal(point);
     const Vector3 ray = view_.ray(place);
-    const bool has_normal = normal.squaredNorm() > 0.25;  // a unit vector or none
+    const bool has_normal = !normal.isZero(0);
     if (has_normal && normal.dot(ray) >= 0) return std::nullopt;
     const double radius = std::max(radius_ * view_.scale(p.z()), kLeastRadius);
     Splat splat;

@@ -6,8 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -154,6 +156,93 @@ TEST_F(RenderCommand, OnePoseAndPosesThatAreNotFiniteAreDrawnOrNoted) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.errors, "note: 1 point left out: not finite, or beyond 10000 km\n");
   expect_picture(path("nan.png"));
+}
+
+/// Two rows of 50 points, 1/64 m apart, a metre long, at an offset; exact in binary.
+std::string two_rows(const std::string& type, double x, double y) {
+  std::string text = fmt::format(
+      "ply\nformat ascii 1.0\nelement vertex 100\nproperty {0} x\nproperty {0} y\n"
+      "property {0} z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "end_header\n",
+      type);
+  for (int i = 0; i < 100; ++i) {
+    const double along = static_cast<double>(i % 50) / 64;
+    const double aside = static_cast<double>(i / 50) / 64;
+    text += fmt::format("{:.6f} {:.6f} 0 200 0 0\n", x + aside, y + along);
+  }
+  return text;
+}
+
+// The two rows became lines half a metre apart, the distance of floats near 5000 km.
+TEST_F(RenderCommand, PointsInUtmCoordinatesAreDrawnAsThoseNearZero) {
+  const auto near = folder_.write("near.ply", two_rows("float", 0, 0));
+  const auto far = folder_.write("far.ply", two_rows("double", 400000, 5000000));
+  for (const std::string view : {"top", "iso"}) {
+    const auto result = render({near, "-o", path("near.png"), "--view", view});
+    EXPECT_EQ(result.errors, "");
+    EXPECT_EQ(render({far, "-o", path("far.png"), "--view", view}).errors,
+              "note: far from the origin: axes and numbers of the picture begin at (400000, "
+              "5000000, 0) m\n");
+    EXPECT_EQ(read_text(path("near.png")), read_text(path("far.png"))) << view;
+  }
+}
+
+/// Rows of a trajectory in TUM format along a curve at an offset; exact in binary.
+std::string rows_of_curve(double x, double y) {
+  std::string text;
+  for (int i = 0; i < 32; ++i) {
+    text += fmt::format("{}.5 {:.6f} {:.6f} 1 0 0 0 1\n", i, x + i / 8.0, y + i * i / 128.0);
+  }
+  return text;
+}
+
+TEST_F(RenderCommand, TrajectoriesInUtmCoordinatesAreDrawnAsThoseNearZero) {
+  const auto near = folder_.write("near/path.txt", rows_of_curve(0, 0));
+  const auto far = folder_.write("far/path.txt", rows_of_curve(400000, 5000000));
+  const auto near_points = folder_.write("near.ply", two_rows("float", 0, 0));
+  const auto far_points = folder_.write("far.ply", two_rows("double", 400000, 5000000));
+  for (const std::string view : {"top", "follow"}) {
+    EXPECT_EQ(render({near, near_points, "-o", path("near.png"), "--view", view}).exit_code, 0);
+    EXPECT_EQ(render({far, far_points, "-o", path("far.png"), "--view", view}).exit_code, 0);
+    EXPECT_EQ(read_text(path("near.png")), read_text(path("far.png"))) << view;
+  }
+  // A reference near zero is fitted to the path wherever that is.
+  EXPECT_EQ(render({near, "--reference", near, "-o", path("near.png")}).exit_code, 0);
+  EXPECT_EQ(render({far, "--reference", near, "-o", path("far.png")}).exit_code, 0);
+  expect_picture(path("far.png"));
+}
+
+TEST_F(RenderCommand, FilesAreToldApartByAnyCaseOfTheirNameOrByTheirContent) {
+  const std::vector<std::pair<std::string, std::string>> files = {{"map.ply", "A.PLY"},
+                                                                  {"map.ply", "points.txt"},
+                                                                  {"graph.g2o", "B.G2O"},
+                                                                  {"graph.g2o", "graph"},
+                                                                  {"trajectory.txt", "path.dat"}};
+  for (const auto& [from, to] : files) {
+    std::filesystem::copy(map_ / from, folder_.path() / to);
+    EXPECT_EQ(render({map_ / from, "-o", path("a.png")}).errors, "");
+    const auto result = render({path(to), "-o", path("b.png")});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    if (from != "trajectory.txt") {  // whose name is in the legend
+      EXPECT_EQ(read_text(path("a.png")), read_text(path("b.png"))) << to;
+    }
+  }
+}
+
+TEST_F(RenderCommand, WhatIsNotUnderstoodIsNoted) {
+  const auto points = folder_.write("grey.ply",
+                                    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                                    "property float y\nproperty float z\nproperty float f_dc_0\n"
+                                    "end_header\n0 0 0 1\n1 inf 0 1\n");
+  EXPECT_EQ(render({points, "-o", path("a.png")}).errors,
+            "note: grey.ply: no red, green and blue among the properties (f_dc_0); the points are "
+            "grey\nnote: 1 point left out: not finite, or beyond 10000 km\n");
+  const auto graph = folder_.write("a.g2o", read_text(map_ / "graph.g2o") + "PARAMS_X 0\n");
+  EXPECT_EQ(render({graph, "-o", path("a.png")}).errors,
+            "note: a.g2o: 1 line PARAMS_X skipped, from line 21 on: parameters are not read\n");
+  const auto path_file = folder_.write("a.txt", "1 0 0 0 0 0 0 1\n0 1 1 1 0 0 0 1\n");
+  EXPECT_EQ(render({path_file, "-o", path("a.png")}).errors,
+            "note: a.txt: stamps out of order; sorted\n");
 }
 
 TEST_F(RenderCommand, BadInputIsAClearLine) {

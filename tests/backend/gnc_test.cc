@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cvo_slam/backend/gnc_internal.h"
@@ -64,6 +65,63 @@ TEST(Gnc, WithoutFalseLoopsOneSolveIsEnough) {
   EXPECT_TRUE(summary.converged);
   EXPECT_LE(summary.solves, 2);
   EXPECT_EQ(summary.rejected_edges(), 0);
+}
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+SE3 metres_ahead(double x) { return {Matrix3::Identity(), {x, 0, 0}}; }
+
+/// Two chains of three nodes a metre apart, 0 to 2 and 3 to 5, without an edge between them.
+PoseGraph two_chains() {
+  PoseGraph graph;
+  for (int i = 0; i < 6; ++i) graph.add_node({i, metres_ahead(i)});
+  const Matrix6 certain = 1e4 * Matrix6::Identity();
+  for (const int i : {0, 1, 3, 4}) graph.add_edge({i, i + 1, metres_ahead(1), certain});
+  return graph;
+}
+
+PoseGraphEdge loop(NodeId from, NodeId to, double x, double information) {
+  return {from, to, metres_ahead(x), information * Matrix6::Identity(), EdgeKind::kLoop, true};
+}
+
+// Two edges that contradict each other were both rejected, and the second chain floated.
+TEST(Gnc, APartOfTheGraphKeepsTheBestOfTheEdgesThatConnectIt) {
+  PoseGraph graph = two_chains();
+  graph.add_edge(loop(2, 3, 4, 1e4));
+  graph.add_edge(loop(2, 3, 90, 1e4));
+  const Summary summary = optimize(graph, {.loss = RobustLoss::kGnc});
+  // Neither is better than the other.
+  EXPECT_EQ(summary.weights[4] + summary.weights[5], 1);
+  // From 0 to 5: twice 1 m, the edge that was kept, twice 1 m.
+  const double length = summary.weights[4] == 1 ? 8 : 94;
+  EXPECT_NEAR(graph.nodes()[5].T_world_node.translation().x(), length, 1e-6);
+  EXPECT_THAT(summary.notes,
+              ElementsAre(HasSubstr("1 edge kept that the loss rejected, the best of those without "
+                                    "which a part of the graph would come loose (2 -> 3)"),
+                          HasSubstr("all that closes a loop was rejected, 1 edge")));
+}
+
+TEST(Gnc, FixedPartsNeedNoConnection) {
+  PoseGraph graph = two_chains();
+  graph.set_fixed(0, true);
+  graph.set_fixed(3, true);
+  graph.add_edge(loop(2, 3, 50, 1e4));
+  const Summary summary = optimize(graph, {.loss = RobustLoss::kGnc});
+  EXPECT_THAT(summary.weights, ElementsAre(1, 1, 1, 1, 0));
+}
+
+TEST(Gnc, SaysWhenAllThatClosesALoopWasRejected) {
+  PoseGraph graph = two_chains();
+  graph.add_edge({2, 3, metres_ahead(1), 1e4 * Matrix6::Identity()});
+  graph.add_edge(loop(0, 5, 1, 1e4));
+  const Summary summary = optimize(graph, {.loss = RobustLoss::kGnc});
+  EXPECT_EQ(summary.rejected_edges(), 1);
+  EXPECT_THAT(summary.notes, ElementsAre(HasSubstr("all that closes a loop was rejected, 1 edge")));
+  graph.add_edge(loop(0, 4, 4, 1e4));
+  EXPECT_THAT(optimize(graph, {.loss = RobustLoss::kGnc}).notes, IsEmpty()) << "one is left";
+  EXPECT_THAT(optimize(graph).notes, IsEmpty());
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(PoseGraph, RefusesBadNodes) {
   EXPECT_EQ(error_of([&] {
               graph.add_node({2, at(kNan)});
             }),
-            "node 2: the pose has values that are not finite");
+            "node 2: the pose has values that are not finite; repair it");
   EXPECT_EQ(graph.nodes().size(), 2);
 }
 
@@ -58,19 +58,22 @@ TEST(PoseGraph, RefusesBadEdges) {
   EXPECT_EQ(error_with({0, 7, at(1)}), "node 7 is unknown; add it first");
   EXPECT_EQ(error_with({1, 1, at(1)}), "edge 1 -> 1: both ends are the same node; remove it");
   EXPECT_EQ(error_with({0, 1, at(kNan)}),
-            "edge 0 -> 1: the measurement has values that are not finite numbers");
+            "edge 0 -> 1: the measurement has values that are not finite numbers; repair or remove "
+            "the edge");
   Matrix6 information = Matrix6::Identity();
   information(1, 2) = 0.5;
   EXPECT_EQ(error_with({0, 1, at(1), information}),
-            "edge 0 -> 1: the information matrix is not symmetric");
+            "edge 0 -> 1: the information matrix is not symmetric; repair or remove the edge");
   information(2, 1) = 0.5;
   EXPECT_EQ(error_with({0, 1, at(1), information}), "no error");
   information(1, 2) = information(2, 1) = 2;
-  EXPECT_EQ(error_with({0, 1, at(1), information}),
-            "edge 0 -> 1: the information matrix has a negative eigenvalue");
+  EXPECT_EQ(
+      error_with({0, 1, at(1), information}),
+      "edge 0 -> 1: the information matrix has a negative eigenvalue; repair or remove the edge");
   information(3, 3) = kNan;
   EXPECT_EQ(error_with({0, 1, at(1), information}),
-            "edge 0 -> 1: the information matrix has values that are not finite numbers");
+            "edge 0 -> 1: the information matrix has values that are not finite numbers; repair or "
+            "remove the edge");
   EXPECT_EQ(graph.edges().size(), 1);
 }
 

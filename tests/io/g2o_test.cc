@@ -54,13 +54,17 @@ TEST_F(G2o, ReadsVerticesEdgesAndFix) {
   EXPECT_EQ(graph.edges()[0].information, Matrix6::Identity());
 }
 
-TEST_F(G2o, OnlyEdgesToTheNextVertexAreOdometry) {
+// Odometry from the newer to the older vertex was taken for loops, and robust losses threw it away.
+TEST_F(G2o, OnlyEdgesBetweenNeighboursAreOdometryInEitherDirection) {
   const std::string end = " " + kPose + kUnitInformation + "\n";
-  const PoseGraph graph = read(kVertices + "EDGE_SE3:QUAT 0 1" + end + "EDGE_SE3:QUAT 1 0" + end);
+  const PoseGraph graph = read(kVertices + "VERTEX_SE3:QUAT 2 2 0 0 0 0 0 1\nEDGE_SE3:QUAT 0 1" +
+                               end + "EDGE_SE3:QUAT 2 1" + end + "EDGE_SE3:QUAT 2 0" + end);
   EXPECT_EQ(graph.edges()[0].kind, EdgeKind::kOdometry);
   EXPECT_FALSE(graph.edges()[0].robust);
-  EXPECT_EQ(graph.edges()[1].kind, EdgeKind::kLoop);
-  EXPECT_TRUE(graph.edges()[1].robust);
+  EXPECT_EQ(graph.edges()[1].kind, EdgeKind::kOdometry);
+  EXPECT_FALSE(graph.edges()[1].robust);
+  EXPECT_EQ(graph.edges()[2].kind, EdgeKind::kLoop);
+  EXPECT_TRUE(graph.edges()[2].robust);
 }
 
 TEST_F(G2o, TheNextVertexIsTheOneWithTheNextLargerId) {
@@ -69,7 +73,7 @@ TEST_F(G2o, TheNextVertexIsTheOneWithTheNextLargerId) {
       "VERTEX_SE3:QUAT 8 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
       "VERTEX_SE3:QUAT 5 0 0 0 0 0 0 1\n"
       "EDGE_SE3:QUAT 0 5" +
-      end + "EDGE_SE3:QUAT 5 8" + end + "EDGE_SE3:QUAT 0 8" + end);
+      end + "EDGE_SE3:QUAT 8 5" + end + "EDGE_SE3:QUAT 0 8" + end);
   EXPECT_EQ(graph.edges()[0].kind, EdgeKind::kOdometry);
   EXPECT_EQ(graph.edges()[1].kind, EdgeKind::kOdometry);
   EXPECT_EQ(graph.edges()[2].kind, EdgeKind::kLoop);
@@ -146,10 +150,11 @@ TEST_F(G2o, BadInputIsNamedWithItsLine) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "graph.g2o: no VERTEX_SE3:QUAT in it; is it a pose graph?"},
       {"VERTEX_SE3:QUAT 0 0 0 0 0 0 0",
-       "graph.g2o:1: VERTEX_SE3:QUAT has 7 values, expected 8: id x y z qx qy qz qw"},
+       "graph.g2o:1: VERTEX_SE3:QUAT has 7 values, expected 8: id x y z qx qy qz qw; repair or "
+       "remove the line"},
       {kVertices + edge + " 1 0 0",
        "graph.g2o:3: EDGE_SE3:QUAT has 12 values, expected 30: from to x y z qx qy qz qw and 21 of "
-       "the information matrix"},
+       "the information matrix; repair or remove the line"},
       {kVertices + "VERTEX_SE3:QUAT 1 0 0 0 0 0 0 1",
        "graph.g2o:3: node 1 exists already; ids must be unique"},
       {kVertices + "EDGE_SE3:QUAT 0 5 " + kPose + kUnitInformation,
@@ -157,12 +162,14 @@ TEST_F(G2o, BadInputIsNamedWithItsLine) {
       {kVertices + "EDGE_SE3:QUAT 1 1 " + kPose + kUnitInformation,
        "graph.g2o:3: edge 1 -> 1: both ends are the same node; remove it"},
       {kVertices + edge + " 1 0 0 0 0 0 1 0 0 0 0 -1 0 0 0 1 0 0 1 0 1",
-       "graph.g2o:3: edge 0 -> 1: the information matrix has a negative eigenvalue"},
+       "graph.g2o:3: edge 0 -> 1: the information matrix has a negative eigenvalue; repair or "
+       "remove the edge"},
       {kVertices + edge + " 1 0 0 0 0 0 1 0 0 0 0 nan 0 0 0 1 0 0 1 0 1",
        "graph.g2o:3: 'nan' is not a finite number; repair or remove the line"},
       {"VERTEX_SE3:QUAT 0 0 x 0 0 0 0 1",
        "graph.g2o:1: 'x' is not a finite number; repair or remove the line"},
-      {"VERTEX_SE3:QUAT 0.5 0 0 0 0 0 0 1", "graph.g2o:1: '0.5' is not the number of a vertex"},
+      {"VERTEX_SE3:QUAT 0.5 0 0 0 0 0 0 1",
+       "graph.g2o:1: '0.5' is not the number of a vertex; write a whole number"},
       {"VERTEX_SE3:QUAT 0 0 0 0 0 0 0 0",
        "graph.g2o:1: the quaternion has length zero; repair or remove the line"},
       {kVertices + "FIX 9", "graph.g2o:3: node 9 is unknown; add it first"},
@@ -170,11 +177,71 @@ TEST_F(G2o, BadInputIsNamedWithItsLine) {
       {"\nVERTEX_SE2 0 0 0 0",
        "graph.g2o:2: VERTEX_SE2: a planar graph; only 3D graphs are read, make it VERTEX_SE3:QUAT "
        "and EDGE_SE3:QUAT"},
+      {kVertices + "EDGE_PRIOR_SE2_XY 0",
+       "graph.g2o:3: EDGE_PRIOR_SE2_XY: a planar graph; only 3D graphs are read, make it "
+       "VERTEX_SE3:QUAT and EDGE_SE3:QUAT"},
+      {kVertices + "EDGE_SE3_OFFSET 0 1",
+       "graph.g2o:3: unknown entry 'EDGE_SE3_OFFSET'; VERTEX_SE3:QUAT, EDGE_SE3:QUAT and FIX are "
+       "read: remove the line"},
       {kVertices + "EDGE_SE3_PRIOR 0",
-       "graph.g2o:3: unknown entry 'EDGE_SE3_PRIOR'; VERTEX_SE3:QUAT, EDGE_SE3:QUAT and FIX are "
-       "read"},
+       "graph.g2o:3: EDGE_SE3_PRIOR: priors are not read; remove the line"},
+      // More than rounding, which may be 1e-9 of the largest eigenvalue.
+      {kVertices + edge + " 1 0 0 0 0 0 1 0 0 0 0 -1e-8 0 0 0 1 0 0 1 0 1",
+       "graph.g2o:3: edge 0 -> 1: the information matrix has a negative eigenvalue; repair or "
+       "remove the edge"},
   };
   for (const auto& [text, message] : cases) EXPECT_EQ(error_of(text), message) << text;
+}
+
+const std::string kForeign =
+    "PARAMS_SE3OFFSET 0 0 0 0 0 0 0 1\n" + kVertices + "VERTEX_TRACKXYZ 7 1 2 3\n" +
+    "EDGE_SE3_TRACKXYZ 0 7 0 1 2 3 1 0 0 1 0 1\nEDGE_SE3_TRACKXYZ 1 7 0 1 2 3 1 0 0 1 0 1\n" +
+    "EDGE_SE3_PRIOR 0 0 " + kPose + kUnitInformation + "\nFIX 7 0\nEDGE_SE3:QUAT 0 1 " + kPose +
+    kUnitInformation + "\n";
+
+TEST_F(G2o, ParametersPriorsAndLandmarksAreSkippedWithANoteForEachKind) {
+  std::vector<std::string> notes;
+  const PoseGraph graph = read_g2o(folder_.write("graph.g2o", kForeign), notes);
+  EXPECT_EQ(graph.nodes().size(), 2);
+  EXPECT_EQ(graph.edges().size(), 1);
+  EXPECT_TRUE(graph.nodes()[0].fixed);
+  EXPECT_THAT(
+      notes,
+      testing::ElementsAre(
+          "graph.g2o: 1 line PARAMS_SE3OFFSET skipped, from line 1 on: parameters are not read",
+          "graph.g2o: 1 line VERTEX_TRACKXYZ skipped, from line 4 on: landmarks are not read",
+          "graph.g2o: 2 lines EDGE_SE3_TRACKXYZ skipped, from line 5 on: landmarks are not read",
+          "graph.g2o: 1 line EDGE_SE3_PRIOR skipped, from line 7 on: priors are not read"));
+  notes.clear();
+  EXPECT_THROW(
+      static_cast<void>(read_g2o(folder_.path() / "graph.g2o", notes, ForeignEntries::kRefuse)),
+      InputError);
+  EXPECT_EQ(error_of(kForeign),
+            "graph.g2o:1: PARAMS_SE3OFFSET: parameters are not read; remove "
+            "the line");
+}
+
+TEST_F(G2o, InformationThatIsNegativeByRoundingIsRaisedToZeroWithANote) {
+  // Of six eigenvalues one is -1e-12 of the largest.
+  const std::string text = kVertices + "EDGE_SE3:QUAT 0 1 " + kPose +
+                           " 100 0 0 0 0 0 1 0 0 0 0 -1e-10 0 0 0 1 0 0 1 0 1\n";
+  std::vector<std::string> notes;
+  const PoseGraph graph = read_g2o(folder_.write("graph.g2o", text), notes);
+  EXPECT_NEAR(graph.edges()[0].information(2, 2), 0, 1e-15);
+  EXPECT_NEAR(graph.edges()[0].information(0, 0), 100, 1e-12);
+  EXPECT_THAT(notes, testing::ElementsAre(
+                         "graph.g2o: 1 information matrix is negative by rounding, the first in "
+                         "line 3: eigenvalues between -1e-9 of the largest and 0 are taken as 0"));
+}
+
+TEST_F(G2o, InformationOfLowRankStaysAsItIs) {
+  const std::string text =
+      kVertices + "EDGE_SE3:QUAT 0 1 " + kPose + " 100 0 0 0 0 0 1 1 0 0 0 1 0 0 0 0 0 0 0 0 3\n";
+  std::vector<std::string> notes;
+  const PoseGraph graph = read_g2o(folder_.write("graph.g2o", text), notes);
+  EXPECT_TRUE(notes.empty());
+  EXPECT_EQ(graph.edges()[0].information(1, 2), 1);
+  EXPECT_EQ(graph.edges()[0].information(5, 5), 3);
 }
 
 TEST_F(G2o, AMissingFileIsAnError) {

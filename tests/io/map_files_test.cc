@@ -3,6 +3,7 @@
 #include "cvo_slam/io/map_files.h"
 
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,6 +61,25 @@ TEST_F(MapFiles, WhatIsWrittenReadsBackTheSame) {
   EXPECT_TRUE(again.graph.nodes()[0].fixed);
   ASSERT_EQ(again.points.size(), 1U);
   EXPECT_EQ(again.points[0].position, Eigen::Vector3f(1, 2, 3));
+}
+
+TEST_F(MapFiles, PointsFarFromZeroReadBackWhereTheyWere) {
+  Map map = small_map();
+  map.points_origin = {400000, 5000000, 0};
+  map.points[0].position = {0.01F, 0, 0};
+  write_map(folder_.path(), map);
+  const Map again = read_map(folder_.path());
+  EXPECT_EQ(again.points_origin, map.points_origin);
+  EXPECT_NEAR(again.points.at(0).position.x(), 0.01, 1e-8);
+}
+
+TEST_F(MapFiles, ForeignEntriesOfTheGraphAreNotedOrRefused) {
+  write_map(folder_.path(), small_map());
+  folder_.write("graph.g2o", read_text(folder_.path() / "graph.g2o") + "PARAMS_X 0\n");
+  std::vector<std::string> notes;
+  EXPECT_EQ(read_map(folder_.path(), notes).graph.nodes().size(), 3U);
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("graph.g2o: 1 line PARAMS_X skipped")));
+  EXPECT_THAT(error_of_reading(), HasSubstr("PARAMS_X: parameters are not read"));
 }
 
 TEST_F(MapFiles, AMapOfPosesAloneIsOne) {

@@ -182,6 +182,20 @@ TEST(TrajectoryFigure, WithoutReferenceLooksFromTheFirstCamera) {
   EXPECT_THAT(figure.panels[0].series[0].x, ElementsAre(0, 1, 2));
 }
 
+// Numbers of seven digits on the axes were all the same, "5e+06".
+TEST(TrajectoryFigure, FarCoordinatesAreDrawnFromAnOriginThatTheLabelsName) {
+  auto path = with_z_up(line(3));
+  for (auto& pose : path) {
+    pose.T_world_camera = SE3(Matrix3::Identity(), {400000, 5000000, 120}) * pose.T_world_camera;
+  }
+  const Figure figure = trajectory_figure(path, path);
+  EXPECT_EQ(figure.panels[0].x_label, "x - 400000 [m]");
+  EXPECT_EQ(figure.panels[0].y_label, "y - 5000000 [m]");
+  EXPECT_EQ(figure.panels[1].y_label, "z [m]");
+  EXPECT_THAT(figure.panels[0].series[0].x, ElementsAre(0, 1, 2));
+  EXPECT_EQ(trajectory_figure({}, path).panels[1].y_label, "-(y - 5000000) [m]");
+}
+
 TEST(TrajectoryFigure, OfNothingIsEmpty) {
   for (const auto& panel : trajectory_figure({}, {}).panels) EXPECT_TRUE(panel.series.empty());
 }

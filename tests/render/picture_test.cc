@@ -103,6 +103,30 @@ TEST(Picture, FarFromTheOriginIsDrawnAndBeyondReasonIsLeftOut) {
   EXPECT_THAT(picture.notes, ElementsAre(HasSubstr("1 point left out: not finite, or beyond")));
 }
 
+TEST(Picture, AnotherOriginMovesNothing) {
+  MapScene scene = floor_scene();
+  scene.constraints.push_back({{0, 0, 1}, {0.25, 0, 1}, EdgeKind::kLoop});
+  MapScene far = scene;
+  set_origin(far, {-2, 4, 0});  // exact in binary; the pictures' numbers differ
+  EXPECT_EQ(far.points[0].position,
+            Eigen::Vector3f(scene.points[0].position + Eigen::Vector3f(2, -4, 0)));
+  EXPECT_EQ(far.paths[0].poses[0].T_world_camera.translation(),
+            scene.paths[0].poses[0].T_world_camera.translation() + Vector3(2, -4, 0));
+  EXPECT_EQ(far.keyframes[0].translation(), scene.keyframes[0].translation() + Vector3(2, -4, 0));
+  EXPECT_EQ(far.constraints[0].to, Vector3(2.25, -4, 1));
+  EXPECT_THAT(
+      draw(far).notes,
+      ElementsAre("far from the origin: axes and numbers of the picture begin at (-2, 4, 0) "
+                  "m"));
+}
+
+TEST(Picture, ANormalThatIsNoUnitVectorIsDrawnAsOne) {
+  MapScene scene = floor_scene();
+  const cv::Mat unit = draw(scene).image;
+  for (MapPoint& point : scene.points) point.normal *= 100;
+  EXPECT_EQ(cv::norm(unit, draw(scene).image, cv::NORM_L1), 0);
+}
+
 TEST(Picture, StrayPointsDoNotShrinkTheMap) {
   MapScene scene = floor_scene();
   const std::size_t before = ink(draw(scene).image);
