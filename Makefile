@@ -69,6 +69,10 @@ eval: build-release ## Run the full sequences, write docs/results/benchmarks.md
 robustness: build-release ## Run synthetic worlds and thinned sequences, write docs/results/robustness.md
 	bench/run_robustness.sh
 
+.PHONY: foreign-input
+foreign-input: program ## Give the program inputs of others, write docs/results/foreign-input.md
+	bench/foreign_input.py $(PROGRAM)
+
 .PHONY: pictures
 pictures: program $(ROOM)/groundtruth.txt ## Draw the pictures of docs/guide/pictures.md and README.md
 	bench/draw_pictures.sh $(PROGRAM) $(ROOM)

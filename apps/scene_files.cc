@@ -16,6 +16,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/map.h"
+#include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/trajectory_errors.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/io/map_files.h"
@@ -151,7 +152,6 @@ void add_reference(render::MapScene& scene, const std::vector<StampedPose>& refe
   const SE3 T_scene_reference = error.alignment.T_reference_estimate.inverse();
   scene.up = up_of_reference(T_scene_reference.rotation(), scene.up);
   if (color == PathColor::kError) {
-    constexpr double kMillimetres = 1000;
     std::map<Timestamp, double> values;
     for (const PoseError& pose : error.errors) values[pose.stamp] = kMillimetres * pose.translation;
     path.values.clear();

@@ -63,7 +63,8 @@ void fit_roughly(PoseGraph& graph, const OptimizerOptions& options,
 }
 
 /// Solves the weighted graph; moves the poses.
-SearchReport solve(PoseGraph& graph, const OptimizerOptions& options, std::vector<double> weights) {
+SearchReport solve_weighted(PoseGraph& graph, const OptimizerOptions& options,
+                            std::vector<double> weights) {
   PoseGraph part = weighted_graph(graph, weights);
   const OptimizerOptions plain = plain_least_squares(options);
   const bool started_chordal = choose_start(part, plain);
@@ -133,7 +134,7 @@ SearchReport graduate(PoseGraph& graph, const OptimizerOptions& options) {
   PoseGraph trial = graph;
   Decision decision = graduated_decision(trial, options);
   if (options.initialization == Initialization::kGiven) take_poses(graph, trial);
-  SearchReport total = solve(graph, options, decision.weights);
+  SearchReport total = solve_weighted(graph, options, decision.weights);
   // The rough poses may have put an edge near the limit on the wrong side.
   OptimizerOptions again = options;
   again.initialization = Initialization::kGiven;
@@ -141,7 +142,7 @@ SearchReport graduate(PoseGraph& graph, const OptimizerOptions& options) {
     decision.weights = robust_weights(graph, options);
     reconnect(graph, decision);
     if (decision.weights == total.weights) break;
-    SearchReport last = solve(graph, again, decision.weights);
+    SearchReport last = solve_weighted(graph, again, decision.weights);
     last.iterations += total.iterations;
     last.solves += total.solves;
     last.started_chordal = total.started_chordal;

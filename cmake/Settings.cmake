@@ -16,6 +16,9 @@ target_compile_features(cvo_slam_settings INTERFACE cxx_std_20)
 target_compile_options(cvo_slam_settings INTERFACE -ffp-contract=off)
 # Without this GCC does not inline a library's own functions in position-independent code.
 target_compile_options(cvo_slam_settings INTERFACE -fno-semantic-interposition)
+# What oneTBB's target defines in a debug build, in every source, so that all can share one
+# precompiled header.
+target_compile_definitions(cvo_slam_settings INTERFACE $<$<CONFIG:Debug>:TBB_USE_DEBUG>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # Lets ccache see the content of a precompiled header.
   target_compile_options(cvo_slam_settings INTERFACE -fpch-preprocess)

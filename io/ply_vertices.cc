@@ -126,8 +126,8 @@ double parse_value(const std::filesystem::path& file, long line, std::string_vie
                                word));
 }
 
-void parse_vertex(const std::filesystem::path& file, const PlyHeader& header, long number,
-                  std::string_view line, PlyVertex& vertex) {
+void parse_ascii_vertex(const std::filesystem::path& file, const PlyHeader& header, long number,
+                        std::string_view line, PlyVertex& vertex) {
   std::size_t count = 0;
   for (std::string_view word = take_word(line); !word.empty(); word = take_word(line), ++count) {
     if (count >= header.properties.size()) continue;
@@ -154,7 +154,7 @@ void visit_ascii(const std::filesystem::path& file, const PlyHeader& header, std
                                    "write it again",
                                    i, header.vertices));
     }
-    parse_vertex(file, header, lines.number(), line, vertex);
+    parse_ascii_vertex(file, header, lines.number(), line, vertex);
     visit(vertex);
   }
 }

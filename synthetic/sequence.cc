@@ -69,7 +69,7 @@ std::size_t frames_of_a_round(const CameraPath& path) {
   return static_cast<std::size_t>(std::lround(path.duration() * kFrameRate)) + 1;
 }
 
-void check(const SequenceOptions& options) {
+void check_sequence(const SequenceOptions& options) {
   constexpr int kSmallest = 16;
   constexpr int kLargest = 4096;
   if (options.frames && *options.frames == 0) {
@@ -81,7 +81,7 @@ void check(const SequenceOptions& options) {
                                     options.width, options.height, kSmallest, kLargest));
     }
   }
-  check(options.sensor);
+  check_sequence(options.sensor);
 }
 
 std::string image_name(const char* folder, const Timestamp& stamp, const char* extension) {
@@ -251,7 +251,7 @@ Camera synthetic_camera(int width, int height) {
 
 SequenceSummary write_sequence(const std::filesystem::path& folder, const SequenceOptions& options,
                                int threads, const Progress& progress) {
-  check(options);
+  check_sequence(options);
   const Recorder recorder(folder, options);
   prepare_output_folder(folder);
   recorder.write_marker();

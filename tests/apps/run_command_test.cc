@@ -16,7 +16,6 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/synthetic/sequence.h"
@@ -346,50 +345,6 @@ TEST_F(RunCommand, AnInterruptOrATerminationWritesWhatThereIs) {
     EXPECT_THAT(file("report.html", signal), HasSubstr("interrupted: results until then"));
     EXPECT_LT(report["frames"]["processed"], kFrames);
   }
-}
-
-// It once removed config.yaml, map.ply and 14 other names from a folder that it had not made.
-TEST_F(RunCommand, AFolderOfTheUserIsLeftAlone) {
-  const auto out = folder_.path() / "mine";
-  std::filesystem::create_directory(out);
-  folder_.write("mine/config.yaml", "tracker.points: 1500\n");
-  const std::vector<std::string> arguments = {"--quiet", "--config", out / "config.yaml"};
-  expect_error(run(arguments, "mine"), 1, "give --overwrite");
-  EXPECT_EQ(file("config.yaml", "mine"), "tracker.points: 1500\n");
-  ASSERT_EQ(run({"--quiet", "--overwrite"}, "mine").exit_code, 0);
-  EXPECT_EQ(run({"--quiet"}, "mine").exit_code, 0) << "now it is the folder of a run";
-}
-
-TEST_F(RunCommand, ARunWhoseImagesAreOfTheWrongKindStopsAtOnce) {
-  Camera camera = read_camera(sequence_ / "camera.yaml");
-  camera.color.width *= 2;
-  const auto file_of_camera = folder_.path() / "wrong.yaml";
-  write_camera(file_of_camera, camera);
-  const auto result = run({"--quiet", "--camera", file_of_camera});
-  expect_error(result, 2, "none of the first 10 frames can be used");
-  EXPECT_THAT(result.errors, HasSubstr("the image has 160x120 pixels, its camera 320x120"));
-  const auto report = nlohmann::json::parse(file("report.json"));
-  EXPECT_EQ(report["frames"]["processed"], 10);
-  EXPECT_THAT(report["first_lost"]["reason"].get<std::string>(), HasSubstr("160x120 pixels"));
-  EXPECT_THAT(file("report.html"), HasSubstr("the image has 160x120 pixels, its camera 320x120"));
-}
-
-TEST_F(RunCommand, NamesTheCameraAndWarnsOfAWrongDepthScale) {
-  Camera camera = read_camera(sequence_ / "camera.yaml");
-  camera.depth_scale /= 2;
-  const auto file_of_camera = folder_.path() / "scaled.yaml";
-  write_camera(file_of_camera, camera);
-  const auto result = run({"--camera", file_of_camera});
-  EXPECT_THAT(result.output, HasSubstr("camera       synthetic: given by the caller\n"));
-  EXPECT_THAT(result.output, HasSubstr("times as large as the estimate; is the camera"));
-  EXPECT_EQ(nlohmann::json::parse(file("report.json"))["camera_origin"], "given by the caller");
-  EXPECT_THAT(file("report.html"), HasSubstr("(given by the caller)"));
-}
-
-TEST_F(RunCommand, StepsOfFramesCannotOverflow) {
-  const auto result = run({"--quiet", "--frames", "0:12:18446744073709551615"});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_EQ(nlohmann::json::parse(file("report.json"))["frames"]["processed"], 1);
 }
 
 TEST(DefaultConfiguration, FileIsWhatTheProgramPrints) {
