@@ -81,7 +81,7 @@ void check_sequence(const SequenceOptions& options) {
                                     options.width, options.height, kSmallest, kLargest));
     }
   }
-  check_sequence(options.sensor);
+  check(options.sensor);
 }
 
 std::string image_name(const char* folder, const Timestamp& stamp, const char* extension) {
