@@ -68,7 +68,7 @@ void add_figure_rows(std::vector<FigureRow>& rows, std::string_view name,
 }
 
 /// Returns the rows as lines whose columns are at least two blanks apart.
-std::string aligned(const std::vector<FigureRow>& rows) {
+std::string aligned_rows(const std::vector<FigureRow>& rows) {
   std::array<std::size_t, 10> widths = {14, 17, 12, 12, 12, 12, 12, 12, 14, 8};
   for (const FigureRow& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size() + 2);
@@ -196,10 +196,11 @@ std::string label_of(const RelativePoseOptions& options) {
 }
 
 std::string to_table(const EvaluationReport& report) {
-  std::string text =
-      fmt::format("matched    {} of {} poses ({:.1f} %) with {} of the reference, {}\n",
-                  report.matches, report.estimate_poses, 100 * report.coverage,
-                  report.reference_poses, describe_association(report.options.association));
+  const bool of_reference = report.coverage != share_of(report.matches, report.estimate_poses);
+  std::string text = fmt::format(
+      "matched    {} of {} poses ({:.1f} %{}) with {} of the reference, {}\n", report.matches,
+      report.estimate_poses, 100 * report.coverage, of_reference ? " of the reference" : "",
+      report.reference_poses, describe_association(report.options.association));
   text += left_out_lines(report);
   text += fmt::format("alignment  {}", name_of(report.options.alignment));
   if (report.ate && report.options.alignment == Alignment::kSim3) {
@@ -214,7 +215,7 @@ std::string to_table(const EvaluationReport& report) {
     add_figure_rows(rows, label_of(relative.options), relative.error->statistics);
     has_paper_error |= relative.options.kind == RelativeErrorKind::kCvoPaper;
   }
-  text += "\n\n" + aligned(rows);
+  text += "\n\n" + aligned_rows(rows);
   if (has_paper_error)
     text += "* as the CVO paper defines it: rotation is sqrt(2) times the angle\n";
   for (const auto& note : report.notes) text += note + "\n";

@@ -58,6 +58,14 @@ double RunReport::lost_share() const {
   return static_cast<double>(trajectory.lost.size()) / static_cast<double>(run.records.size());
 }
 
+std::vector<std::string> RunReport::all_notes() const {
+  std::vector<std::string> all = notes;
+  if (!evaluation) return all;
+  for (const auto& warning : evaluation->warnings) all.push_back("warning: " + warning);
+  all.insert(all.end(), evaluation->notes.begin(), evaluation->notes.end());
+  return all;
+}
+
 std::string to_table(const RunReport& report) {
   const OdometryRun& run = report.run;
   std::string table =
@@ -82,11 +90,7 @@ std::string to_table(const RunReport& report) {
                          report.map.map.points.size(), report.map.cpu_seconds);
   }
   table += fmt::format("{:<12} {:.0f} MB\n", "peak memory", run.peak_memory_mb);
-  std::vector<std::string> notes = report.notes;
-  if (report.evaluation) {
-    notes.insert(notes.end(), report.evaluation->notes.begin(), report.evaluation->notes.end());
-  }
-  for (const auto& note : notes) table += fmt::format("{:<12} {}\n", "note", note);
+  for (const auto& note : report.all_notes()) table += fmt::format("{:<12} {}\n", "note", note);
   return table;
 }
 

@@ -31,6 +31,8 @@ struct RunReport {
 
   /// Returns the share of frames without a pose in the trajectory, 0 to 1.
   [[nodiscard]] double lost_share() const;
+  /// Returns the notes, with the notes and warnings of the evaluation.
+  [[nodiscard]] std::vector<std::string> all_notes() const;
 };
 
 /// Returns the median of a cost over the frames of a run [ms].

@@ -145,8 +145,37 @@ bool contains(const std::array<std::string_view, kCount>& words, std::string_vie
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Refuses what would make the lens or the images others than those that are read: a model that is
-/// not a pinhole, coefficients beyond Brown's five, resized images, a second camera.
+/// Refuses a model that is not a pinhole camera, and a sensor that is not an RGB-D camera.
+void check_kind(std::string_view name, const std::string& key, const YamlValue& value) {
+  const std::string& word = value.word(key);
+  const std::string kind = to_lower(word);
+  if (name == "setup") {
+    if (kind == "rgbd") return;
+    value.fail(
+        fmt::format("{}: only RGBD is supported, not {}; give the settings of an RGB-D camera", key,
+                    in_quotes(word)));
+  }
+  if (kind == "pinhole" || kind == "perspective") return;
+  value.fail(
+      fmt::format("{}: only PinHole (perspective) is supported, not {}; undistort the "
+                  "images to a pinhole camera first",
+                  key, in_quotes(word)));
+}
+
+/// Refuses images that other programs make smaller after reading them.
+void check_same_size(const YamlValue& root, std::string_view name, const std::string& key,
+                     const YamlValue& value) {
+  const YamlValue* same = nullptr;
+  if (name == "newWidth") same = find_one(root, {"Camera.width", "Camera.cols"});
+  if (name == "newHeight") same = find_one(root, {"Camera.height", "Camera.rows"});
+  if (value.number(key) == (same != nullptr ? same->number(key) : 1)) return;
+  value.fail_at_key(fmt::format(
+      "{}: images are not resized; remove the key and give the intrinsics of the images as they "
+      "are stored",
+      key));
+}
+
+/// Refuses what would make the lens or the images others than those that are read.
 void check_property(const YamlValue& root, const std::string& key, const YamlValue& value) {
   constexpr std::array<std::string_view, 13> kRead = {
       "width", "height", "cols", "rows", "fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3"};
@@ -154,42 +183,21 @@ void check_property(const YamlValue& root, const std::string& key, const YamlVal
   constexpr std::array<std::string_view, 8> kHarmless = {
       "name", "fps", "RGB", "color_order", "bf", "ThDepth", "focal_x_baseline", "depth_threshold"};
   constexpr std::array<std::string_view, 4> kOtherLens = {"k4", "k5", "k6", "bFishEye"};
+  constexpr std::array<std::string_view, 3> kKinds = {"model", "type", "setup"};
+  constexpr std::array<std::string_view, 3> kSizes = {"imageScale", "newWidth", "newHeight"};
   const std::string_view name = camera_property(key);
   if (contains(kRead, name) || contains(kHarmless, name)) return;
-  if (contains(kOtherLens, name)) {
-    if (value.number(key) == 0) return;
+  if (contains(kKinds, name)) return check_kind(name, key, value);
+  if (contains(kSizes, name)) return check_same_size(root, name, key, value);
+  if (!contains(kOtherLens, name)) {
     value.fail_at_key(fmt::format(
-        "{}: {} is a lens that is not supported, only k1, k2, p1, p2 and k3 are; undistort the "
-        "images, or calibrate them with these five",
-        key, value.word(key)));
+        "unknown key {}; remove it if it does not change the lens or the images", in_quotes(key)));
   }
-  if (name == "model" || name == "type") {
-    const std::string model = to_lower(value.word(key));
-    if (model == "pinhole" || model == "perspective") return;
-    value.fail(
-        fmt::format("{}: only PinHole (perspective) is supported, not {}; undistort the "
-                    "images to a pinhole camera first",
-                    key, in_quotes(value.word(key))));
-  }
-  if (name == "setup") {
-    if (to_lower(value.word(key)) == "rgbd") return;
-    value.fail(
-        fmt::format("{}: only RGBD is supported, not {}; give the settings of an RGB-D "
-                    "camera",
-                    key, in_quotes(value.word(key))));
-  }
-  if (name == "imageScale" || name == "newWidth" || name == "newHeight") {
-    const YamlValue* same = name == "newWidth"    ? find_one(root, {"Camera.width", "Camera.cols"})
-                            : name == "newHeight" ? find_one(root, {"Camera.height", "Camera.rows"})
-                                                  : nullptr;
-    if (value.number(key) == (same != nullptr ? same->number(key) : 1)) return;
-    value.fail_at_key(fmt::format(
-        "{}: images are not resized; remove the key and give the intrinsics of the images as they "
-        "are stored",
-        key));
-  }
+  if (value.number(key) == 0) return;
   value.fail_at_key(fmt::format(
-      "unknown key {}; remove it if it does not change the lens or the images", in_quotes(key)));
+      "{}: {} is a lens that is not supported, only k1, k2, p1, p2 and k3 are; undistort the "
+      "images, or calibrate them with these five",
+      key, value.word(key)));
 }
 
 void check_settings(const YamlValue& root) {

@@ -99,15 +99,14 @@ std::string header_problem(const Header& header, std::size_t bytes) {
       bytes < header.file_bytes() ? "cut off" : "damaged");
 }
 
+/// Returns true if the bytes begin as the binary format does, as far as they go.
+bool has_magic(std::span<const char> bytes) {
+  const std::size_t count = std::min(bytes.size(), kMagic.size());
+  return std::string_view(bytes.data(), count) == kMagic.substr(0, count);
+}
+
 /// Returns why the bytes are no vocabulary; an empty text if they are one.
 std::string problem_of_bytes(std::span<const char> bytes) {
-  const std::size_t magic_bytes = std::min(bytes.size(), kMagic.size());
-  if (!std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(magic_bytes),
-                  kMagic.begin())) {
-    return "is no vocabulary: it begins neither with 'cvo-voc' (binary) nor with a number "
-           "(ORB-SLAM's "
-           "text); unpack it if it is compressed, or give another file";
-  }
   if (bytes.size() < kHeaderBytes) {
     return fmt::format("is cut off: {} bytes, and its header has {}; copy it again", bytes.size(),
                        kHeaderBytes);
@@ -178,6 +177,12 @@ std::string vocabulary_bytes(const Vocabulary& vocabulary) {
 }
 
 Vocabulary vocabulary_from_bytes(std::span<const char> bytes, const std::filesystem::path& name) {
+  if (!has_magic(bytes)) {
+    throw InputError(
+        name,
+        "is no vocabulary: it begins neither with 'cvo-voc' (binary) nor with a number "
+        "(ORB-SLAM's text); unpack it if it is compressed, or give another file");
+  }
   const std::string problem = problem_of_bytes(bytes);
   if (!problem.empty()) fail_binary(name, problem);
   const Header header(bytes);

@@ -43,8 +43,7 @@ void check(const PathPlan& plan) {
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
   if (!positive(plan.duration)) throw OptionError("camera path: the duration must be positive");
   if (!positive(plan.speed)) throw OptionError("camera path: the speed must be positive");
-  constexpr double kLongest = 86400;  // [s]; more would be millions of frames
-  if (plan.duration / plan.speed > kLongest) {
+  if (plan.duration / plan.speed > kLongestPath) {
     throw OptionError(
         fmt::format("camera path: {} s at speed {} are more than a day; use a shorter "
                     "path or a higher speed",

@@ -32,6 +32,9 @@ struct PathPlan {
   double speed = 1;  ///< 2 = twice as fast, in half the duration
 };
 
+/// Longest duration of a path [s]; more would be millions of frames.
+inline constexpr double kLongestPath = 86400;
+
 /// A smooth path of a camera: uniform cubic B-splines that pass near the viewpoints, one for the
 /// position and one for the target, plus tremor. Position and orientation are continuous to the
 /// second derivative, also at the seam of a closed path. An open path starts and ends at rest,

@@ -33,10 +33,8 @@ double number_in(const YamlValue& value, const std::string& what, double low, do
   return number;
 }
 
-/// A world of people's size; larger numbers take all memory or time, for example for a path of
-/// years at 30 images a second.
-constexpr double kLargestLength = 1e4;      // [m]
-constexpr double kLongestDuration = 86400;  // [s]
+/// Largest length and coordinate [m]. A path through a larger world has too many viewpoints.
+constexpr double kLargestLength = 1e4;
 
 double positive(const YamlValue& value, const std::string& what) {
   const double number = value.number(what);
@@ -210,7 +208,7 @@ class WorldReader {
       swing->check_keys({"amplitude", "period", "phase"}, "swing");
       primitive.swing =
           Swing{length3(swing->require("amplitude", "swing"), "amplitude"),
-                number_in(swing->require("period", "swing"), "period", 0.01, kLongestDuration), 0};
+                number_in(swing->require("period", "swing"), "period", 0.01, kLongestPath), 0};
       if (const auto* phase = swing->find("phase")) {
         primitive.swing->phase = phase->number("phase");
       }
@@ -283,7 +281,7 @@ class WorldReader {
     plan.duration = positive(value.require("duration", "path"), "duration");
     if (const auto* closed = value.find("closed")) plan.closed = closed->flag("closed");
     if (const auto* speed = value.find("speed")) plan.speed = positive(*speed, "speed");
-    if (plan.duration / plan.speed > kLongestDuration) {
+    if (plan.duration / plan.speed > kLongestPath) {
       value.require("duration", "path")
           .fail(fmt::format("duration: {} s at speed {} are more than a day; give a shorter path",
                             plan.duration, plan.speed));

@@ -92,10 +92,7 @@ std::string headline(const RunReport& report) {
 }
 
 std::string notes_section(const RunReport& report) {
-  std::vector<std::string> notes = report.notes;
-  if (report.evaluation) {
-    notes.insert(notes.end(), report.evaluation->notes.begin(), report.evaluation->notes.end());
-  }
+  std::vector<std::string> notes = report.all_notes();
   if (report.run.signal != 0) notes.insert(notes.begin(), "interrupted: results until then");
   if (notes.empty()) return {};
   std::string items;

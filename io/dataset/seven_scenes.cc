@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/files.h"
+#include "cvo_slam/core/text_files.h"
 #include "cvo_slam/io/dataset/formats_internal.h"
 #include "cvo_slam/io/text_internal.h"
 
@@ -80,7 +80,7 @@ Timestamp stamp_of(int number) {
 std::optional<SE3> read_pose(const Path& file) {
   if (file.empty()) return std::nullopt;
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix;
-  const auto words = split_words(read_file(file));
+  const auto words = split_words(read_text_file(file));
   if (words.size() != static_cast<std::size_t>(matrix.size())) return std::nullopt;
   for (Eigen::Index i = 0; i < matrix.size(); ++i) {
     const auto value = parse_finite(words[static_cast<std::size_t>(i)]);

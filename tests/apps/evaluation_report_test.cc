@@ -36,6 +36,8 @@ TEST(EvaluationReport, CoverageIsTheMatchedShare) {
   reference.resize(10);
   // The estimate goes on after the end of the reference, which has fewer poses: all of them match.
   EXPECT_DOUBLE_EQ(evaluate(reference, helix(40)).coverage, 1);
+  EXPECT_THAT(to_table(evaluate(reference, helix(40))),
+              HasSubstr("matched    10 of 40 poses (100.0 % of the reference) with 10 of"));
   EXPECT_DOUBLE_EQ(evaluate(reference, helix(40), {.association = {.interpolate = true}}).coverage,
                    0.25);
 }

@@ -76,7 +76,7 @@ void parse_options(std::string_view bytes) {
 }
 
 void parse_world(std::string_view bytes) {
-  static_cast<void>(read_world(write_scratch("world.yaml", bytes)));
+  static_cast<void>(synthetic::read_world(write_scratch("world.yaml", bytes)));
 }
 
 void parse_g2o(std::string_view bytes) {

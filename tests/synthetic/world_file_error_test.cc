@@ -78,7 +78,8 @@ TEST(WorldFileError, SizesMustBePositive) {
 // A world of 1e15 s, or as many metres, took all memory or all time.
 TEST(WorldFileError, NumbersThatWouldTakeAllMemoryOrTimeAreRefused) {
   EXPECT_EQ(error_with("duration: 8", "duration: 1e15"),
-            "w.yaml:13: duration: 1e+15 s at speed 1 are more than a day; give a shorter path");
+            "w.yaml:13: duration: 1000000000000000 s at speed 1 are more than a day; give a "
+            "shorter path");
   EXPECT_THAT(error_with("duration: 8", "duration: 8\n  speed: 1e-12"),
               HasSubstr("w.yaml:13: duration: 8 s at speed 1e-12 are more than a day"));
   EXPECT_EQ(error_with("[1, 2, 0.4]", "[1, 2e9, 0.4]"),
