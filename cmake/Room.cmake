@@ -18,10 +18,16 @@ set(CVO_SLAM_COSTLY_HEADERS
     <string>
     <vector>)
 
-# Sources that Google Highway compiles once for each instruction set include themselves: in a unity
-# build, where several sources are compiled as one, they stay alone.
+# Keeps sources out of a unity build, in which several sources are compiled as one.
 function(cvo_slam_compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# Sources that Google Highway compiles once for each instruction set. They include themselves; and
+# in a debug build GCC 12 does not understand its own intrinsics behind a precompiled header.
+function(cvo_slam_highway_sources)
+  cvo_slam_compile_alone(${ARGN})
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # Lets a target use the precompiled headers of the rooms. GCC reads them only into code that is

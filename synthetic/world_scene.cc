@@ -24,7 +24,7 @@ bool is_positive(const Cylinder& cylinder) {
 }
 bool is_positive(const Sphere& sphere) { return is_size(sphere.diameter); }
 
-void check_scene(const Primitive& primitive, std::size_t index) {
+void check_primitive(const Primitive& primitive, std::size_t index) {
   if (!std::visit([](const auto& shape) { return is_positive(shape); }, primitive.shape)) {
     throw OptionError(fmt::format("scene: the size of primitive {} must be positive", index));
   }
@@ -76,8 +76,8 @@ double clearance(const WorldScene& scene, const Vector3& point) {
   return nearest(scene, point).distance;
 }
 
-void check_scene(const WorldScene& scene) {
-  for (std::size_t i = 0; i < scene.primitives.size(); ++i) check_scene(scene.primitives[i], i);
+void check(const WorldScene& scene) {
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i) check_primitive(scene.primitives[i], i);
   for (const auto& light : scene.lights) {
     if (!light.position.allFinite() || !(light.power >= 0)) {
       throw OptionError("scene: a light must have a finite position and a power of 0 or more");

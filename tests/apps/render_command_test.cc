@@ -248,10 +248,10 @@ TEST_F(RenderCommand, WhatIsNotUnderstoodIsNoted) {
 TEST_F(RenderCommand, BadInputIsAClearLine) {
   const std::string out = path("out.png");
   const auto empty = folder_.write("empty.txt", "# nothing\n");
-  const auto nan = folder_.write("nan.txt", "0 nan 0 0 0 0 0 1\n");
+  const auto wrong = folder_.write("wrong.txt", "0 one 0 0 0 0 0 1\n");
   std::filesystem::create_directory(folder_.path() / "void");
   expect_error(render({empty, "-o", out}), 2, "nothing to draw: no point and no pose");
-  expect_error(render({nan, "-o", out}), 2, "nan.txt:1");
+  expect_error(render({wrong, "-o", out}), 2, "wrong.txt:1");
   expect_error(render({path("void"), "-o", out}), 2, "holds no map");
   expect_error(render({path("none.txt"), "-o", out}), 2, "none.txt: cannot be opened");
   expect_error(render({map_, "-o", path("no/out.png")}), 1, "no/out.png: cannot be written");

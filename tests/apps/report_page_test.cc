@@ -190,7 +190,8 @@ TEST_F(ReportPage, EscapesTheNamesOfFiles) {
 
 TEST_F(ReportPage, ThatCannotBeWrittenIsAnErrorAfterTheFigures) {
   folder_.write("out/report.html/file", "in the way");
-  const auto result = run_program({"run", sequence_, "--out", folder_.path() / "out"});
+  const auto result =
+      run_program({"run", sequence_, "--out", folder_.path() / "out", "--overwrite"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.errors, HasSubstr("report.html: cannot be written"));
   EXPECT_THAT(result.output, HasSubstr("ATE"));
