@@ -95,6 +95,14 @@ asan: build-asan ## Run all tests under the address and undefined-behaviour sani
 tsan: build-tsan ## Run all tests under the thread sanitizer
 	ctest --preset tsan --parallel $(JOBS)
 
+# The seconds that each fuzzer runs.
+FUZZ_SECONDS ?= 60
+.PHONY: fuzz
+fuzz: needs-clang++ ## Fuzz every parser for FUZZ_SECONDS each (default 60)
+	cmake --preset fuzz
+	cmake --build --preset fuzz --parallel $(JOBS)
+	tools/run_fuzzers.sh build/fuzz/tests/fuzz $(FUZZ_SECONDS)
+
 .PHONY: tidy
 tidy: needs-clang++ needs-clang-tidy build-tidy ## Compile with clang and run clang-tidy on every file
 

@@ -128,7 +128,8 @@ void check_consistency(const RegistrationOptions& options) {
 }
 
 Registration::Registration(const RegistrationOptions& options, int threads)
-    : impl_(std::make_unique<Impl>(Impl{checked_options(options), Executor(threads), {}, 0, {}, {}, {}})) {}
+    : impl_(std::make_unique<Impl>(
+          Impl{checked_options(options), Executor(threads), {}, 0, {}, {}, {}})) {}
 
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;

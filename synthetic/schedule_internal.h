@@ -26,8 +26,8 @@ struct FrameTimes {
   [[nodiscard]] Exposure exposure() const;
 };
 
-/// Returns the first `frames` frames at kFrameRate. Two schedules of the same options and seed agree in
-/// the frames that both have.
+/// Returns the first `frames` frames at kFrameRate. Two schedules of the same options and seed
+/// agree in the frames that both have.
 [[nodiscard]] std::vector<FrameTimes> schedule(std::size_t frames, const SensorOptions& options,
                                                std::uint32_t world_seed);
 

@@ -33,8 +33,8 @@ TEST_P(FuzzCorpus, NoInputBreaksTheParser) {
   EXPECT_GT(inputs, 0U) << folder;
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpus, testing::ValuesIn(fuzz_targets().begin(),
-                                                                fuzz_targets().end()),
+INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpus,
+                         testing::ValuesIn(fuzz_targets().begin(), fuzz_targets().end()),
                          [](const auto& target) { return std::string(target.param.name); });
 
 }  // namespace
