@@ -49,7 +49,8 @@ endfunction()
 # then, and takes more variables for uninitialised than are.
 function(cvo_slam_compile_quickly TARGET)
   target_compile_options(${TARGET}
-                         PRIVATE "$<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>")
+                         PRIVATE $<$<CONFIG:Release>:-O1>
+                                 $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endfunction()
 
 # Makes the headers of a top-level folder available as cvo_slam/<folder>/<file>.h in the build tree.

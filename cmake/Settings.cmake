@@ -37,6 +37,6 @@ if(CVO_SLAM_SANITIZE)
   # Instrumented code hides from GCC which variables are initialised (see -fsanitize in its manual).
   target_compile_options(
     cvo_slam_settings INTERFACE -fsanitize=${CVO_SLAM_SANITIZE} -fno-omit-frame-pointer
-                                -Wno-maybe-uninitialized)
+                                $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(cvo_slam_settings INTERFACE -fsanitize=${CVO_SLAM_SANITIZE})
 endif()
