@@ -21,7 +21,7 @@ constexpr double kFootprintOverlap = 1.3;
 
 /// Value of an empty pixel of the z-buffer, and the largest depth, which rounds to less.
 constexpr auto kNothing = std::numeric_limits<std::uint16_t>::max();
-constexpr float kFarthest = kNothing - 1;
+constexpr float kFarthestUnits = kNothing - 1;
 
 std::array<float, 5> to_float(const std::array<double, 5>& values) {
   std::array<float, 5> result{};
@@ -101,7 +101,8 @@ void DepthRegistration::project_row(const std::uint16_t* depth, int v, Projected
     float x = (units * ray_x[i] + tx) * inverse_z;
     float y = (units * ray_y[i] + ty) * inverse_z;
     // NOLINTNEXTLINE(readability-implicit-bool-conversion)
-    const bool visible = (units > 0) & (z >= 1) & (z < kFarthest) & (x * x + y * y <= max_radius2_);
+    const bool visible =
+        (units > 0) & (z >= 1) & (z < kFarthestUnits) & (x * x + y * y <= max_radius2_);
     if (is_distorted) apply_brown_distortion(distortion, x, y);
     row.u[i] = k[0] * x + k[2];
     row.v[i] = k[1] * y + k[3];
