@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <utf8.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
@@ -166,18 +167,41 @@ class YamlBuilder : public YAML::EventHandler {
   std::optional<YamlValue> root_;
 };
 
+namespace {
+
+/// Refuses bytes that are no UTF-8 and control characters, one of which yaml-cpp takes for the end
+/// of the file.
+void check_characters(const std::string& text, const std::filesystem::path& file) {
+  const auto is_control = [](char c) {
+    return (c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r') || c == 0x7f;
+  };
+  const auto invalid = utf8::find_invalid(text.begin(), text.end());
+  const auto bad = std::min(invalid, std::find_if(text.begin(), text.end(), is_control));
+  if (bad == text.end()) return;
+  throw InputError(file, 1 + std::count(text.begin(), bad, '\n'),
+                   "has bytes that are no text; save the file as UTF-8");
+}
+
+}  // namespace
+
 YamlValue YamlValue::read(const std::filesystem::path& file) {
   return parse(read_file(file), file);
 }
 
 YamlValue YamlValue::parse(std::string text, const std::filesystem::path& file) {
   text = text_of(text, file);
+  check_characters(text, file);
   if (text.starts_with("%YAML:")) text.front() = '#';
   YamlBuilder builder(file);
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    while (parser.HandleNextDocument(builder)) {
+    // At a comma outside of any value yaml-cpp 0.7 makes empty documents without an end.
+    constexpr int kMostDocuments = 3;  // the file's, and empty ones behind a last "---"
+    for (int i = 0; parser.HandleNextDocument(builder); ++i) {
+      if (i == kMostDocuments) {
+        throw InputError(file, "is not YAML, or has several documents; keep one in the file");
+      }
     }
   } catch (const YAML::Exception& error) {
     throw InputError(file, error.mark.line + 1, fmt::format("not valid YAML: {}", error.msg));

@@ -99,5 +99,19 @@ TEST(YamlValue, AWordIsReadBackWhateverIsInIt) {
   }
 }
 
+TEST(YamlValue, BytesThatAreNoTextAreRefused) {
+  for (const char* text : {"a: 1\nkey\xff\xff: 2\n", "a: 1\nb: \x04\n", "a: 1\n\x7f: 1\n"}) {
+    EXPECT_THAT(
+        [&] { static_cast<void>(YamlValue::parse(text, "file.yaml")); },
+        testing::ThrowsMessage<InputError>(testing::HasSubstr("file.yaml:2: has bytes that are")))
+        << text;
+  }
+}
+
+// The fuzzer found it: yaml-cpp read on without an end.
+TEST(YamlValue, ACommaOutsideOfAnyValueIsRefused) {
+  EXPECT_THROW(static_cast<void>(YamlValue::parse(",YAM", "file.yaml")), InputError);
+}
+
 }  // namespace
 }  // namespace cvo_slam
