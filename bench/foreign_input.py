@@ -228,7 +228,7 @@ def graphs():
     graph = write("extras.g2o", "".join(nodes + backwards) + extras)
     add(section, "parameters, priors and landmarks", ["optimize", graph, WORK / "extras_out.g2o"], 0, "(?i)note.*(skipped|left out)")
     add(section, "the same with `--strict`", ["optimize", graph, WORK / "extras_out.g2o", "--strict"], 2, "PARAMS_SE3OFFSET|unknown entry")
-    rounding = information.replace("100 0 0 0 0 0 100", "0 1e-6 0 0 0 0 100", 1)
+    rounding = information.replace("100 0 0 0 0 0 100", "0 1e-4 0 0 0 0 100", 1)
     graph = write("rounding.g2o", "".join(nodes + backwards) + f"EDGE_SE3:QUAT 0 5 5 0 0 0 0 0 1 {rounding}\n")
     add(section, "an information matrix that is negative by rounding", ["optimize", graph, WORK / "r.g2o"], 0, "(?i)note")
     graph = write("negative.g2o", "".join(nodes + backwards) + f"EDGE_SE3:QUAT 0 5 5 0 0 0 0 0 1 {information.replace('100', '-100', 1)}\n")
