@@ -25,7 +25,7 @@ enum class ForeignEntries {
 /// i11 ... i66 are the 21 values of the upper triangle of the information matrix, row by row, in
 /// the order [translation; rotation]. The entries may be in any order; '#' starts a comment.
 /// Matrices are read as they are, neither permuted nor scaled: which residual they belong to is
-/// said in core's pose graph. Eigenvalues that are negative by rounding, above -1e-9 of the largest
+/// said in core's pose graph. Eigenvalues that are negative by rounding, above -5e-6 of the largest
 /// one, become 0.
 /// The format does not store kinds of edges: an edge between a vertex and the one with the next
 /// larger id, in either direction, is read as odometry, every other edge as a loop that may be
