@@ -9,6 +9,8 @@
 # for this revision is not done again, so the script can be interrupted.
 #
 #   FUZZ_SECONDS   seconds of each fuzzer (default 1200)
+#   FUZZERS_AT_A_TIME   (default: one a core)
+#   STEPS          steps to do (default 'asan tsan fuzz'); the page says which were not done
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -19,29 +21,26 @@ work=build/reliability/$revision
 seconds=${FUZZ_SECONDS:-1200}
 mkdir -p "$work"
 
-# step <name> <command>...: its output goes to a log; the log is kept if it was run to its end.
+# step <preset> <command>...: builds a preset and runs the command, whose output goes to a log; the log
+# is kept if it was run to its end.
 step() {
-  name=$1
+  preset=$1
   shift
-  [ -f "$work/$name.log" ] && return
-  "$@" > "$work/$name.part" 2>&1 || echo "exit code $?" >> "$work/$name.part"
-  mv "$work/$name.part" "$work/$name.log"
+  case " ${STEPS:-asan tsan fuzz} " in *" $preset "*) ;; *) return ;; esac
+  [ -f "$work/$preset.log" ] && return
+  cmake --preset "$preset" > "$work/$preset-configure.log"
+  cmake --build --preset "$preset" --parallel "$(nproc)" > "$work/$preset-build.log"
+  "$@" > "$work/$preset.part" 2>&1 || echo "exit code $?" >> "$work/$preset.part"
+  mv "$work/$preset.part" "$work/$preset.log"
 }
 
-build() {
-  cmake --preset "$1" > "$work/$1-configure.log"
-  cmake --build --preset "$1" --parallel "$(nproc)" > "$work/$1-build.log"
-}
-
-build asan
 step asan ctest --preset asan --parallel "$(nproc)"
-build tsan
 step tsan ctest --preset tsan --parallel "$(nproc)" -R '^(slam|io|apps)\.'
-build fuzz
-step fuzz tools/run_fuzzers.sh build/fuzz/tests/fuzz "$seconds"
+step fuzz tools/run_fuzzers.sh build/fuzz/tests/fuzz "$seconds" "${FUZZERS_AT_A_TIME:-$(nproc)}"
 
 # The line of ctest that counts the tests, and the names of those that failed.
 verdict() {
+  [ -f "$work/$1.log" ] || { echo 'not run for this revision'; return; }
   sed -n 's/^\([0-9]*% tests passed.*\)/\1/p; s/^.*- \(.*\) (Failed)$/failed: \1/p' "$work/$1.log"
 }
 
@@ -51,6 +50,6 @@ verdict() {
   printf '\n| sanitizers | tests | result |\n|---|---|---|\n'
   printf '| address, undefined behaviour (`make asan`) | all | %s |\n' "$(verdict asan | tr '\n' ' ')"
   printf '| thread (`make tsan`) | slam, io, apps | %s |\n\n' "$(verdict tsan | tr '\n' ' ')"
-  grep '^|' "$work/fuzz.log"
+  grep '^|' "$work/fuzz.log" || echo 'The fuzzers were not run for this revision.'
 } > "$page.part"
 mv "$page.part" "$page"

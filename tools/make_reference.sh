@@ -60,7 +60,7 @@ in [options.md](options.md), and the files of a run in [files.md](files.md).
 | 1 | failed |
 | 2 | wrong usage or wrong input |
 | 3 | `run`: tracking was lost for more than the share of frames that `--max-lost` allows; `align`: the result is not good enough for tracking |
-| 130 | interrupted; what was there has been written |
+| 130, 143 | interrupted or terminated; what was there has been written |
 
 An error is one line on stderr that says what is wrong, where, and what to do.
 END
