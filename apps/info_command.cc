@@ -44,7 +44,7 @@ DatasetInfo measure(const Dataset& data) {
   return info;
 }
 
-nlohmann::json json_of_info(const PinholeCamera& camera) {
+nlohmann::json camera_json(const PinholeCamera& camera) {
   return {{"width", camera.width},
           {"height", camera.height},
           {"fx", camera.fx},
@@ -54,11 +54,11 @@ nlohmann::json json_of_info(const PinholeCamera& camera) {
           {"distortion", camera.distortion}};
 }
 
-nlohmann::json json_of_info(const Camera& camera) {
-  nlohmann::json json = json_of_info(camera.color);
+nlohmann::json camera_json(const Camera& camera) {
+  nlohmann::json json = camera_json(camera.color);
   json["name"] = camera.name;
   json["depth_scale"] = camera.depth_scale;
-  json["depth"] = camera.depth ? json_of_info(camera.depth->pinhole) : nlohmann::json();
+  json["depth"] = camera.depth ? camera_json(camera.depth->pinhole) : nlohmann::json();
   return json;
 }
 
@@ -68,7 +68,7 @@ void print_json(const Dataset& data, const std::optional<Reprojection>& agreemen
   nlohmann::json json = {
       {"name", data.name()},
       {"kind", data.kind()},
-      {"camera", json_of_info(data.camera())},
+      {"camera", camera_json(data.camera())},
       {"camera_origin", data.camera_origin()},
       {"frames", data.size()},
       {"duration_s", info.duration},
@@ -130,13 +130,10 @@ void print_text(const Dataset& data, const std::optional<Reprojection>& agreemen
   for (const auto& note : notes) fmt::print("note       {}\n", note);
 }
 
-/// Returns why the images of the first frame cannot be used; empty if they can.
-std::string problem_of_first_frame(const Dataset& data) { return data.read(0).problem; }
-
 int run_info(const InfoArguments& arguments) {
   const auto data = arguments.sequence.open();
   std::vector<std::string> notes = data->notes();
-  if (const std::string problem = problem_of_first_frame(*data); !problem.empty()) {
+  if (const std::string problem = data->read(0).problem; !problem.empty()) {
     notes.push_back("warning: the first frame cannot be used: " + problem);
   }
   std::optional<Reprojection> agreement;

@@ -59,6 +59,18 @@ std::vector<NamedFigure> figures_of(const RunReport& report) {
   return evaluation_figures(report.data.reference(), poses, *report.evaluation);
 }
 
+/// Removes the files that an earlier run left in the folder.
+void remove_run(const std::filesystem::path& folder) {
+  for (const RunFile& run_file : kFiles) {
+    const auto file = folder / run_file.name;
+    std::error_code ignored;
+    // A folder of that name does not belong to a run.
+    if (std::filesystem::is_directory(std::filesystem::symlink_status(file, ignored))) continue;
+    remove_file(file);
+  }
+  remove_loop_pictures(folder);
+}
+
 }  // namespace
 
 std::span<const RunFile> run_files() { return kFiles; }
@@ -73,17 +85,6 @@ void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
   }
   write_file(mark, "This folder belongs to a run of cvo_slam; the next one replaces its files.\n");
   remove_run(folder);
-}
-
-void remove_run(const std::filesystem::path& folder) {
-  for (const RunFile& run_file : kFiles) {
-    const auto file = folder / run_file.name;
-    std::error_code ignored;
-    // A folder of that name does not belong to a run.
-    if (std::filesystem::is_directory(std::filesystem::symlink_status(file, ignored))) continue;
-    remove_file(file);
-  }
-  remove_loop_pictures(folder);
 }
 
 void write_run(const std::filesystem::path& folder, RunReport& report) {

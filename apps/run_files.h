@@ -24,9 +24,6 @@ struct RunFile {
 /// user's: `overwrite` takes it all the same.
 void prepare_folder(const std::filesystem::path& folder, bool overwrite);
 
-/// Does the last of these.
-void remove_run(const std::filesystem::path& folder);
-
 /// Writes every file of a run into `folder`, which exists. Adds to the report's notes what a
 /// picture lacks. Throws OutputError.
 void write_run(const std::filesystem::path& folder, RunReport& report);

@@ -137,10 +137,6 @@ std::optional<std::string> scale_warning(const EvaluationReport& report, const D
   }
 }
 
-void add_note(const std::optional<std::string>& note, std::vector<std::string>& notes) {
-  if (note) notes.push_back(*note);
-}
-
 }  // namespace
 
 std::optional<std::string> agreement_warning(const Dataset& data, const Trajectory& trajectory) {
@@ -162,7 +158,7 @@ std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajecto
   }
   try {
     EvaluationReport report = evaluate(data.reference(), trajectory.poses);
-    add_note(scale_warning(report, data, trajectory), notes);
+    if (const auto warning = scale_warning(report, data, trajectory)) notes.push_back(*warning);
     return report;
   } catch (const DataError& error) {
     notes.push_back(fmt::format("no errors: {}", error.what()));

@@ -100,10 +100,9 @@ void warn_of_pinhole(const PinholeCamera& camera, const std::string& name,
 
 std::vector<PosedFrame> posed_frames(const std::vector<Timestamp>& stamps,
                                      const std::vector<StampedPose>& poses) {
-  constexpr double kMaxGap = 0.1;  // [s], as in evaluation
   std::vector<PosedFrame> frames;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
-    const auto pose = interpolate_at(poses, stamps[i], kMaxGap);
+    const auto pose = interpolate_at(poses, stamps[i], kMaxPoseGap);
     if (pose) frames.push_back({i, *pose});
   }
   return frames;

@@ -15,6 +15,9 @@
 
 namespace cvo_slam {
 
+/// Longest gap of a reference to interpolate over [s], as in evaluation.
+inline constexpr double kMaxPoseGap = 0.1;
+
 /// A frame of a recording and its pose.
 struct PosedFrame {
   std::size_t index = 0;

@@ -190,7 +190,7 @@ std::optional<double> disagreement(const Sequence& sequence, const std::vector<D
   std::vector<Reprojection> agreements;
   for (const DecodedPair& pair : pairs) {
     const auto pose = [&](std::size_t frame) {
-      return interpolate_at(poses, sequence.frames[frame].stamp, 0.1);
+      return interpolate_at(poses, sequence.frames[frame].stamp, kMaxPoseGap);
     };
     const auto T_world_a = pose(pair.a), T_world_b = pose(pair.b);
     if (!T_world_a || !T_world_b) continue;

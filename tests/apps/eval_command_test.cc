@@ -141,8 +141,8 @@ TEST_F(EvalCommand, BadInput) {
   expect_error(run_program({"eval", folder_.path(), estimate_}), 2, "is a folder");
 }
 
-// Of a file whose stamps were rounded to seconds, "27 of 27 poses (100 %)" was said: the other
-// lines had vanished.
+// For a file whose stamps were rounded to seconds the program said "27 of 27 poses (100 %)": the
+// other lines had vanished.
 TEST_F(EvalCommand, LinesThatAreLeftOutAreCountedAndSaid) {
   std::string rounded;
   for (const auto& pose : helix(40)) {

@@ -19,7 +19,6 @@ namespace cvo_slam {
 namespace {
 
 using testing::HasSubstr;
-using testing::MatchesRegex;
 
 class ForeignRun : public testing::Test {
  protected:
@@ -33,12 +32,6 @@ class ForeignRun : public testing::Test {
 
   [[nodiscard]] std::string file(const std::string& name, const std::string& out = "out") const {
     return read_text(folder_.path() / out / name);
-  }
-
-  static void expect_error(const ProgramResult& result, int code, const std::string& text) {
-    EXPECT_EQ(result.exit_code, code) << result.errors;
-    EXPECT_THAT(result.errors, MatchesRegex("cvo_slam: error: [^\n]+\n"));
-    EXPECT_THAT(result.errors, HasSubstr(text));
   }
 
   RoomSequence room_{12};

@@ -26,7 +26,6 @@ namespace cvo_slam {
 namespace {
 
 using testing::HasSubstr;
-using testing::MatchesRegex;
 
 /// Ten keyframes on a half circle over a floor, z up, with a loop.
 Map small_map() {
@@ -75,12 +74,6 @@ class RenderCommand : public testing::Test {
     cv::meanStdDev(image, mean, deviation);
     EXPECT_GT(deviation[0], 3) << file;
     EXPECT_GT(mean[0], 50) << file;  // not a black image
-  }
-
-  static void expect_error(const ProgramResult& result, int code, const std::string& text) {
-    EXPECT_EQ(result.exit_code, code) << result.errors;
-    EXPECT_THAT(result.errors, MatchesRegex("cvo_slam: error: [^\n]+\n"));
-    EXPECT_THAT(result.errors, HasSubstr(text));
   }
 
   TemporaryFolder folder_;

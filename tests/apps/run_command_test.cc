@@ -28,7 +28,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::MatchesRegex;
 using testing::Not;
 
 constexpr std::size_t kFrames = 12;
@@ -61,12 +60,6 @@ class RunCommand : public testing::Test {
 
   [[nodiscard]] std::string file(const std::string& name, const std::string& out = "out") const {
     return read_text(folder_.path() / out / name);
-  }
-
-  static void expect_error(const ProgramResult& result, int code, const std::string& text) {
-    EXPECT_EQ(result.exit_code, code) << result.errors;
-    EXPECT_THAT(result.errors, MatchesRegex("cvo_slam: error: [^\n]+\n"));
-    EXPECT_THAT(result.errors, HasSubstr(text));
   }
 
   RoomSequence room_{kFrames};

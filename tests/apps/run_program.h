@@ -7,6 +7,8 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -58,6 +60,13 @@ inline ProgramResult run_program(const std::vector<std::string>& arguments,
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, streams.output.empty() ? read_text(output) : "",
           streams.errors.empty() ? read_text(errors) : ""};
+}
+
+/// Expects that the program failed with this exit code and one line on stderr that has `text`.
+inline void expect_error(const ProgramResult& result, int code, const std::string& text) {
+  EXPECT_EQ(result.exit_code, code) << result.errors;
+  EXPECT_THAT(result.errors, testing::MatchesRegex("cvo_slam: error: [^\n]+\n"));
+  EXPECT_THAT(result.errors, testing::HasSubstr(text));
 }
 
 }  // namespace cvo_slam

@@ -222,7 +222,7 @@ TEST_F(G2o, ParametersPriorsAndLandmarksAreSkippedWithANoteForEachKind) {
 }
 
 TEST_F(G2o, InformationThatIsNegativeByRoundingIsRaisedToZeroWithANote) {
-  // Of six eigenvalues one is -1e-12 of the largest.
+  // One of the six eigenvalues is -1e-12 of the largest.
   const std::string text = kVertices + "EDGE_SE3:QUAT 0 1 " + kPose +
                            " 100 0 0 0 0 0 1 0 0 0 0 -1e-10 0 0 0 1 0 0 1 0 1\n";
   std::vector<std::string> notes;
