@@ -185,9 +185,7 @@ TEST(Reprojection, TellsAWrongCamera) {
     return reprojection_warning(measure_reprojection(*data, data->reference()).value(), "truth");
   };
   EXPECT_EQ(warning_with(builtin_camera("tum_fr1")), std::nullopt);
-  Camera wrong = builtin_camera("tum_fr1");
-  wrong.depth_scale = 1000;
-  EXPECT_NE(warning_with(wrong), std::nullopt);
+  // The camera turns on the spot, which does not show a wrong depth scale: fy < 0 is shown.
   EXPECT_NE(warning_with(builtin_camera("icl_nuim")), std::nullopt);
 }
 
