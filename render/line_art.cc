@@ -59,7 +59,7 @@ void add_frustum(const SE3& camera, double size, double width, LineArt& art) {
     art.line(camera.translation(), corners[i], width, kKeyframeColor);
     art.line(corners[i], corners[(i + 1) % 4], width, kKeyframeColor);
   }
-  for (const std::size_t i : {0, 1}) art.line(corners[i], corners[4], width, kKeyframeColor);
+  for (const std::size_t i : {0U, 1U}) art.line(corners[i], corners[4], width, kKeyframeColor);
 }
 
 /// Returns true if two cameras have nearly the same pose, so that the second frustum would hide the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -145,7 +146,7 @@ TEST_P(RegistrationInput, BlackPointsOverlapButHoldNothingUnderTheLinearKernel) 
 
 TEST_P(RegistrationInput, ContradictingOptionsAreRefused) {
   options_.kernel.sparsification = 0.5;
-  EXPECT_THROW(run(cloud_, cloud_), OptionError);
+  EXPECT_THROW(std::ignore = run(cloud_, cloud_), OptionError);
 }
 
 TEST_P(RegistrationInput, CosThetaStaysInTheUnitIntervalOnALattice) {

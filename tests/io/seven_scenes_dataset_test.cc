@@ -140,7 +140,7 @@ TEST(SevenScenesDataset, RegistrationBringsDepthEdgesToColourEdges) {
   const auto unregistered = open_dataset(folder, {.camera = as_it_is});
   double before = 0;
   double after = 0;
-  for (const std::size_t i : {0, 250, 500, 750}) {
+  for (const std::size_t i : {0U, 250U, 500U, 750U}) {
     const RgbdFrame frame = registered->read(i);
     after += edge_distance(frame.color, frame.depth) / 4;
     before += edge_distance(frame.color, unregistered->read(i).depth) / 4;

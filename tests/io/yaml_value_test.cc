@@ -43,7 +43,7 @@ TEST(YamlValue, RefusesAnchorsAndAliases) {
 
 TEST(YamlValue, RefusesDeepNesting) {
   const std::string problem = "values are nested too deeply; 32 levels are possible";
-  for (const std::size_t levels : {32, 10000, 1000000}) {
+  for (const std::size_t levels : {32U, 10000U, 1000000U}) {
     const std::string closed = std::string(levels, '[') + std::string(levels, ']');
     EXPECT_EQ(parse_error("a: " + closed + "\n"), "a.yaml:1: " + problem);
     // Cut off, they may be keys; what counts is that the stack holds.

@@ -48,7 +48,7 @@ TEST(KMajority, FindsTheClustersThatThereAre) {
   DescriptorSource source(3);
   const auto centers = source.random(4);
   std::vector<Descriptor> members;
-  for (int i = 0; i < 400; ++i) members.push_back(source.near(centers[i % 4], 12));
+  for (std::size_t i = 0; i < 400; ++i) members.push_back(source.near(centers[i % 4], 12));
   const Clusters clusters = cluster(members, 4, 20, Random({1}));
   ASSERT_EQ(clusters.centers.size(), 4U);
   for (const auto& center : centers) {
@@ -64,7 +64,7 @@ TEST(KMajority, FewDifferentDescriptorsAreTheirOwnClusters) {
   DescriptorSource source(4);
   const auto three = source.random(3);
   std::vector<Descriptor> members;
-  for (int i = 0; i < 30; ++i) members.push_back(three[i % 3]);
+  for (std::size_t i = 0; i < 30; ++i) members.push_back(three[i % 3]);
   const Clusters clusters = cluster(members, 9, 10, Random({1}));
   EXPECT_THAT(clusters.centers, testing::UnorderedElementsAreArray(three));
 }
