@@ -65,9 +65,9 @@ build: build-release ## Build the release preset
 eval: build-release ## Run the full sequences, write docs/results/benchmarks.md
 	bench/run_benchmarks.sh
 
-.PHONY: robustness
-robustness: build-release ## Run synthetic worlds and thinned sequences, write docs/results/robustness.md
-	bench/run_robustness.sh
+.PHONY: suite
+suite: program ## Run sequences, modes and perturbations, write docs/results/suite.md (bench/suite)
+	bench/run_suite.sh
 
 .PHONY: foreign-input
 foreign-input: program ## Give the program inputs of others, write docs/results/foreign-input.md

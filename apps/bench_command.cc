@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/apps/tracking_arguments.h"
+#include "cvo_slam/apps/variants.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/trajectory_files.h"
@@ -25,20 +27,23 @@ namespace {
 struct BenchArguments {
   TrackingArguments tracking;
   std::vector<std::string> systems = odometry_system_names();
+  std::vector<std::string> variants = variant_names();
+  std::string mode = "slam";
   std::filesystem::path out;
   std::filesystem::path plot;
   bool quiet = false;
   bool json = false;
 };
 
-TrackerOptions tracker_options(const TrackingArguments& arguments) {
-  const TrackerOptions options = arguments.options().slam.tracker;
-  if (options.threads != 1) {
+ProgramOptions single_thread_options(const TrackingArguments& arguments) {
+  ProgramOptions options = arguments.options();
+  if (options.slam.tracker.threads != 1) {
     throw OptionError(
-        fmt::format("tracker.threads={}: bench odometry compares single threads; leave out the "
-                    "option tracker.threads and --threads",
-                    options.threads));
+        fmt::format("tracker.threads={}: bench compares single threads; leave out "
+                    "the option tracker.threads and --threads",
+                    options.slam.tracker.threads));
   }
+  options.slam.schedule = Schedule::kInline;  // the time of another thread would not be seen
   return options;
 }
 
@@ -56,11 +61,14 @@ void check_reference(const Dataset& data) {
                   data.name()));
 }
 
-int bench_odometry(const BenchArguments& arguments) {
-  const TrackerOptions options = tracker_options(arguments.tracking);
+using MakeContestants =
+    std::function<std::vector<Contestant>(const Camera&, const ProgramOptions&)>;
+
+int run_benchmark(const BenchArguments& arguments, const MakeContestants& make) {
+  const ProgramOptions options = single_thread_options(arguments.tracking);
   const auto data = arguments.tracking.open();
   const FrameRange frames = arguments.tracking.range(data->size());
-  const auto contestants = make_contestants(arguments.systems, data->camera(), options);
+  const auto contestants = make(data->camera(), options);
   if (!arguments.plot.empty()) check_reference(*data);
   // Made before the work, so that an unusable folder is reported at once.
   for (const auto& folder : {arguments.out, arguments.plot}) {
@@ -79,11 +87,16 @@ int bench_odometry(const BenchArguments& arguments) {
   return kDone;
 }
 
-}  // namespace
+void add_output_arguments(Command& command, BenchArguments& arguments) {
+  command.add("--out", &arguments.out, "Folder for the trajectories, <name>.txt in TUM format");
+  command.add("--plot", &arguments.plot,
+              "Folder for odometry.png and odometry.svg: distributions of the errors from frame to "
+              "frame, and top views; needs ground truth");
+  command.add("--quiet", &arguments.quiet, "Show no progress");
+  command.add("--json", &arguments.json, "Print one JSON object instead of a table");
+}
 
-void add_bench_command(CLI::App& app, Action& action) {
-  Command bench(app, "bench", "Compare with other systems");
-  bench.require_subcommand();
+void add_odometry_command(Command& bench, Action& action) {
   const auto arguments = std::make_shared<BenchArguments>();
   Command command(bench, "odometry",
                   "Compare accuracy and CPU time with the odometries of OpenCV on the same frames");
@@ -93,13 +106,42 @@ void add_bench_command(CLI::App& app, Action& action) {
            fmt::format("The systems to compare, separated by commas: {} (default: all)",
                        fmt::join(odometry_system_names(), ", ")))
       .separated_by_commas();
-  command.add("--out", &arguments->out, "Folder for the trajectories, <system>.txt in TUM format");
-  command.add("--plot", &arguments->plot,
-              "Folder for odometry.png and odometry.svg: distributions of the errors from frame to "
-              "frame, and top views; needs ground truth");
-  command.add("--quiet", &arguments->quiet, "Show no progress");
-  command.add("--json", &arguments->json, "Print one JSON object instead of a table");
-  command.on_parsed(action, [arguments] { return bench_odometry(*arguments); });
+  add_output_arguments(command, *arguments);
+  command.on_parsed(action, [arguments] {
+    return run_benchmark(*arguments, [&](const Camera& camera, const ProgramOptions& options) {
+      return make_contestants(arguments->systems, camera, options.slam.tracker);
+    });
+  });
+}
+
+void add_variants_command(Command& bench, Action& action) {
+  const auto arguments = std::make_shared<BenchArguments>();
+  Command command(bench, "variants",
+                  "Run ours with options that differ a little: what of a result is luck");
+  arguments->tracking.add_to(command);
+  command.add("--mode", &arguments->mode, "As for run: odometry, graph or slam")
+      .one_of({"odometry", "graph", "slam"})
+      .show_default();
+  command
+      .add("--variants", &arguments->variants,
+           fmt::format("The variants to run, separated by commas: {} (default: all)",
+                       fmt::join(variant_names(), ", ")))
+      .separated_by_commas();
+  add_output_arguments(command, *arguments);
+  command.on_parsed(action, [arguments] {
+    return run_benchmark(*arguments, [&](const Camera& camera, const ProgramOptions& options) {
+      return make_variants(arguments->variants, arguments->mode, camera, options);
+    });
+  });
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, Action& action) {
+  Command bench(app, "bench", "Compare with other systems, and measure what of a result is luck");
+  bench.require_subcommand();
+  add_odometry_command(bench, action);
+  add_variants_command(bench, action);
 }
 
 }  // namespace cvo_slam

@@ -48,13 +48,10 @@ Entry opencv_entry(const std::string& name, const std::string& type, OpencvMetho
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> table = {
-      {"ours", "cvo_slam::Tracker",
-       [](const Camera& camera, const TrackerOptions& options) -> SystemPointer {
-         return std::make_unique<TrackerSystem>(camera, options);
-       }},
+      {"ours", "cvo_slam::Tracker", make_tracker_system},
       {"paper", "cvo_slam::Tracker with the CVO paper's protocol, frame to frame",
-       [](const Camera& camera, const TrackerOptions&) -> SystemPointer {
-         return std::make_unique<TrackerSystem>(camera, paper_options());
+       [](const Camera& camera, const TrackerOptions&) {
+         return make_tracker_system(camera, paper_options());
        }},
       opencv_entry("rgbd", "RgbdOdometry", OpencvMethod::kRgbd),
       opencv_entry("rgbd_icp", "RgbdICPOdometry", OpencvMethod::kRgbdIcp),
@@ -108,15 +105,15 @@ class Run {
     if (system_ == nullptr) return;
     std::optional<SE3> T_world_camera;
     cpu_.push_back(cpu_time_of([&] { T_world_camera = system_->track(frame); }));
-    if (!T_world_camera) {
-      ++result_.lost;
-      T_world_camera = result_.poses.empty() ? SE3() : result_.poses.back().T_world_camera;
-    }
-    result_.poses.push_back({frame.stamp, *T_world_camera});
+    if (!T_world_camera) ++result_.lost;
+    add(frame.stamp, T_world_camera);
   }
 
   ContestantResult finish(const std::vector<StampedPose>& reference) {
     if (system_ != nullptr) {
+      std::optional<Trajectory> path;
+      result_.finish_cpu = cpu_time_of([&] { path = system_->finish(); });
+      if (path) replace_poses(path->poses);
       result_.cpu = summarize(cpu_);
       result_.evaluation = evaluation_of(reference, result_.poses);
     }
@@ -124,12 +121,37 @@ class Run {
   }
 
  private:
+  /// Adds the pose of the next frame; a lost frame keeps the pose before it.
+  void add(const Timestamp& stamp, const std::optional<SE3>& T_world_camera) {
+    const SE3 before = result_.poses.empty() ? SE3() : result_.poses.back().T_world_camera;
+    result_.poses.push_back({stamp, T_world_camera.value_or(before)});
+  }
+
+  /// Takes poses that the system knows better now, in ascending order of stamps.
+  void replace_poses(const std::vector<StampedPose>& path) {
+    const std::vector<StampedPose> frames = std::move(result_.poses);
+    result_.poses.clear();
+    result_.lost = 0;
+    auto next = path.begin();
+    for (const StampedPose& frame : frames) {
+      const bool known = next != path.end() && next->stamp == frame.stamp;
+      if (!known) ++result_.lost;
+      add(frame.stamp, known ? std::optional(next->T_world_camera) : std::nullopt);
+      if (known) ++next;
+    }
+  }
+
   OdometrySystem* system_;  // null if it is not built in
   ContestantResult result_;
   std::vector<double> cpu_;  // [s]
 };
 
 }  // namespace
+
+std::unique_ptr<OdometrySystem> make_tracker_system(const Camera& camera,
+                                                    const TrackerOptions& options) {
+  return std::make_unique<TrackerSystem>(camera, options);
+}
 
 std::vector<std::string> odometry_system_names() {
   std::vector<std::string> names;

@@ -23,13 +23,20 @@
 
 namespace cvo_slam {
 
-/// An RGB-D odometry that `bench odometry` can run.
+/// A system that `bench` can run.
 class OdometrySystem {
  public:
+  OdometrySystem() = default;
+  OdometrySystem(const OdometrySystem&) = delete;
+  OdometrySystem& operator=(const OdometrySystem&) = delete;
   virtual ~OdometrySystem() = default;
 
   /// Returns T_world_camera of the next frame, or nothing if the system lost it.
   [[nodiscard]] virtual std::optional<SE3> track(const RgbdFrame& frame) = 0;
+
+  /// Ends the sequence. Returns the whole path if the system knows it better now than when it
+  /// tracked; frames that it has no pose for are not in it.
+  [[nodiscard]] virtual std::optional<Trajectory> finish() { return std::nullopt; }
 };
 
 /// One of the systems to compare.
@@ -48,6 +55,10 @@ struct Contestant {
                                                        const Camera& camera,
                                                        const TrackerOptions& options);
 
+/// Our tracker as a system.
+[[nodiscard]] std::unique_ptr<OdometrySystem> make_tracker_system(const Camera& camera,
+                                                                  const TrackerOptions& options);
+
 /// The result of one system.
 struct ContestantResult {
   std::string name;
@@ -56,6 +67,7 @@ struct ContestantResult {
   std::size_t lost = 0;            ///< number of frames without a pose of their own
   std::vector<StampedPose> poses;  ///< one for each frame; a lost frame repeats the last pose
   Statistics cpu;                  ///< CPU time of the calling thread for a frame [s]
+  double finish_cpu = 0;           ///< CPU time of the work after the last frame [s]
   std::optional<EvaluationReport> evaluation;  ///< empty without a usable reference
 };
 

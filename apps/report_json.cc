@@ -88,6 +88,7 @@ Json json_of(const ContestantResult& result) {
   if (!result.built_in) return json;
   json["lost"] = result.lost;
   json["cpu_ms"] = milliseconds(result.cpu);
+  json["finish_cpu_ms"] = result.finish_cpu * kMillisecondsInASecond;
   json["evaluation"] = nullptr;
   if (result.evaluation) json["evaluation"] = json_of(*result.evaluation);
   return json;

@@ -30,7 +30,8 @@ struct SynthArguments {
   std::string image = "png";
   std::string path = "own";
   std::string dump;
-  std::optional<int> frames;  // empty = the whole path
+  std::optional<int> frames;     // empty = the whole path
+  std::optional<int> path_seed;  // empty = the path as it is
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::filesystem::path config;
   std::vector<std::string> settings;  // "key=value" each
@@ -67,8 +68,10 @@ std::vector<std::string> path_words() {
 
 int dump_world(const SynthArguments& arguments) {
   const auto& options = arguments.sequence;
-  const auto world =
-      synthetic::make_world(options.scene, {options.seed, options.path, options.speed});
+  const auto world = synthetic::make_world(options.scene, {.seed = options.seed,
+                                                           .path_seed = options.path_seed,
+                                                           .style = options.path,
+                                                           .speed = options.speed});
   cvo_slam::write_file(arguments.dump, synthetic::world_text(world));
   fmt::print("{}: {} shapes, path of {:.1f} s\n", arguments.dump, world.scene.primitives.size(),
              world.path.duration());
@@ -82,6 +85,9 @@ int synth(SynthArguments arguments) {
     return kDone;
   }
   parse_path(arguments.path, arguments.sequence);
+  if (arguments.path_seed) {
+    arguments.sequence.path_seed = static_cast<std::uint32_t>(*arguments.path_seed);
+  }
   if (!arguments.dump.empty()) return dump_world(arguments);
   if (arguments.folder.empty()) {
     throw OptionError("synth: say where to write the sequence, or give --dump-world <file>");
@@ -136,6 +142,15 @@ void add_synth_command(CLI::App& app, Action& action) {
       .add("--seed", &arguments->sequence.seed,
            "Seed of textures, clutter and the tremor of the hand and, with sensor.seed, of the "
            "noise of the sensor")
+      .show_default();
+  command.add(
+      "--path-seed", &arguments->path_seed,
+      "Seed of another walk through the same world: another tremor, and viewpoints moved by "
+      "up to 0.1 m (default: the path as it is, with the tremor of --seed)");
+  command
+      .add("--laps", &arguments->sequence.laps,
+           "Number of rounds of the whole path; --frames goes before it")
+      .in_range(1, 1000)
       .show_default();
   command
       .add("--noise", &arguments->noise,

@@ -146,6 +146,7 @@ bool DepthSensor::returns_light(const IdealImages& ideal, const cv::Point& at) c
 
 /// Returns the measured depth. `noise` is normally distributed with variance 1.
 double DepthSensor::disturbed(double depth, double angle, double noise) const {
+  depth *= options_.scale;
   if (options_.axial > 0) {
     const double sigma = options_.axial * kinect_axial_noise(depth, angle);
     const double step = kinect_depth_step(depth, options_.disparity_step);

@@ -43,7 +43,7 @@ double world_seconds(const Timestamp& stamp) {
 Exposure FrameTimes::exposure() const {
   Exposure exposure;
   if (has_color) exposure.color = world_seconds(color);
-  if (has_depth) exposure.depth = world_seconds(depth);
+  if (has_depth) exposure.depth = world_seconds(depth) + depth_offset;
   return exposure;
 }
 
@@ -56,11 +56,12 @@ std::vector<FrameTimes> schedule(std::size_t frames, const SensorOptions& option
     const auto kept = [&](double share, SchedulePurpose purpose) {
       return i == 0 || hash_unit(derived_seed(seed, purpose), i) >= share;
     };
-    const std::int64_t elapsed = (i * kMicroseconds + kFrameRate / 2) / kFrameRate;
+    const std::int64_t elapsed = std::llround(i * (kMicroseconds / timing.frame_rate));
     const bool any = kept(timing.drop_both, kDropBoth);
-    times.push_back(
-        {stamp_after(elapsed), stamp_after(elapsed + depth_delay(timing.depth_jitter, seed, i)),
-         any && kept(timing.drop_color, kDropColor), any && kept(timing.drop_depth, kDropDepth)});
+    times.push_back({stamp_after(elapsed),
+                     stamp_after(elapsed + depth_delay(timing.depth_jitter, seed, i)),
+                     timing.depth_offset, any && kept(timing.drop_color, kDropColor),
+                     any && kept(timing.drop_depth, kDropDepth)});
   }
   return times;
 }

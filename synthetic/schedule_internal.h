@@ -11,13 +11,11 @@
 
 namespace cvo_slam::synthetic {
 
-/// Frames a second.
-constexpr int kFrameRate = 30;
-
 /// The times of a frame, and which of its images are kept.
 struct FrameTimes {
   Timestamp color;
   Timestamp depth;
+  double depth_offset = 0;  ///< time at which the depth image is taken after its stamp [s]
   bool has_color = true;
   bool has_depth = true;
 
@@ -26,7 +24,7 @@ struct FrameTimes {
   [[nodiscard]] Exposure exposure() const;
 };
 
-/// Returns the first `frames` frames at kFrameRate. Two schedules of the same options and seed
+/// Returns the first `frames` frames. Two schedules of the same options and seed
 /// agree in the frames that both have.
 [[nodiscard]] std::vector<FrameTimes> schedule(std::size_t frames, const SensorOptions& options,
                                                std::uint32_t world_seed);

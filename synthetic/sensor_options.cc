@@ -95,7 +95,9 @@ OptionSet describe(DepthNoiseOptions& o) {
           "missing", o.missing, {0, 0.95}, "",
           "Share of the pixels without depth for no reason in the scene, in patches of about 20 px "
           "that change with each frame. In fr1/rpy, 0.21 to 0.29 is missing for all reasons "
-          "together.");
+          "together.")
+      .add("scale", o.scale, {0.5, 2}, "",
+           "Factor on the measured depth: a sensor whose depth is calibrated badly.");
 }
 
 OptionSet describe(ImageNoiseOptions& o) {
@@ -133,6 +135,10 @@ OptionSet describe(TimingOptions& o) {
            "at most sqrt(2) times this: the two cameras have no common clock. 0.0117 on fr1/rpy; "
            "larger values would pair images of different frames. The depth image shows the scene "
            "at its own stamp.")
+      .add("depth_offset", o.depth_offset, {-0.1, 0.1}, "s",
+           "Time at which a depth image is taken after its stamp: what `run --depth-offset` has to "
+           "be given. The depth stamps of fr1 are late: about -0.019.")
+      .add("frame_rate", o.frame_rate, {1, 1000}, "Hz", "Frames a second.")
       .add("drop_color", o.drop_color, {0, 0.9}, "", "Share of frames without a colour image.")
       .add("drop_depth", o.drop_depth, {0, 0.9}, "", "Share of frames without a depth image.")
       .add("drop_both", o.drop_both, {0, 0.9}, "",

@@ -39,6 +39,8 @@ struct DepthNoiseOptions {
   double min_reflectance = 0;
   /// Share of the pixels without depth for no reason in the scene, in [0, 0.95].
   double missing = 0;
+  /// Factor on the measured depth, in [0.5, 2]: a sensor whose depth is calibrated badly.
+  double scale = 1;
 };
 
 /// The chip of the colour camera.
@@ -71,6 +73,11 @@ struct TimingOptions {
   /// Standard deviation of the difference between the stamps of depth and colour [s], in
   /// [0, 0.0117]. Larger values would pair images of different frames.
   double depth_jitter = 0;
+  /// Time at which a depth image is taken after its stamp [s], in [-0.1, 0.1]: what a user would
+  /// have to give as the depth offset. The depth stamps of fr1 are late: about -0.019.
+  double depth_offset = 0;
+  /// Frames a second [Hz], in [1, 1000].
+  double frame_rate = 30;
   /// Share of frames without a colour image, in [0, 0.9].
   double drop_color = 0;
   /// Share of frames without a depth image, in [0, 0.9].

@@ -65,8 +65,10 @@ void prepare_output_folder(const fs::path& folder) {
   }
 }
 
-std::size_t frames_of_a_round(const CameraPath& path) {
-  return static_cast<std::size_t>(std::lround(path.duration() * kFrameRate)) + 1;
+std::size_t number_of_frames(const CameraPath& path, const SequenceOptions& options) {
+  if (options.frames) return *options.frames;
+  const double seconds = options.laps * path.duration();
+  return static_cast<std::size_t>(std::lround(seconds * options.sensor.timing.frame_rate)) + 1;
 }
 
 void check_sequence(const SequenceOptions& options) {
@@ -80,6 +82,10 @@ void check_sequence(const SequenceOptions& options) {
       throw OptionError(fmt::format("synthetic sequence: image size {}x{} must be in [{}, {}]",
                                     options.width, options.height, kSmallest, kLargest));
     }
+  }
+  if (options.laps < 1 || options.laps > 1000) {
+    throw OptionError(
+        fmt::format("synthetic sequence: {} laps must be in [1, 1000]", options.laps));
   }
   check(options.sensor);
 }
@@ -139,16 +145,18 @@ std::string marker_text(const SequenceOptions& options, std::size_t frames) {
   SensorOptions sensor = options.sensor;
   return fmt::format(
              "# Made by cvo_slam synth, which may replace this sequence when asked to write here "
-             "again.\n# To make it again: cvo_slam synth {} <folder> --seed {} --path {} --speed "
+             "again.\n# To make it again: cvo_slam synth {} <folder> --seed {}{} --path {} --speed "
              "{} "
              "--frames {} --size {}x{} --image {}{}\n",
-             options.scene, options.seed, path_name(options), options.speed, frames, options.width,
-             options.height, image, settings_text(sensor)) +
+             options.scene, options.seed,
+             options.path_seed ? fmt::format(" --path-seed {}", *options.path_seed) : "",
+             path_name(options), options.speed, frames, options.width, options.height, image,
+             settings_text(sensor)) +
          fmt::format(
-             "scene: {}\nseed: {}\npath: {}\nspeed: {}\nframes: {}\nwidth: {}\nheight: {}\n"
-             "image: {}\n",
-             options.scene, options.seed, path_name(options), options.speed, frames, options.width,
-             options.height, image) +
+             "scene: {}\nseed: {}\npath_seed: {}\npath: {}\nspeed: {}\nframes: {}\nwidth: {}\n"
+             "height: {}\nimage: {}\n",
+             options.scene, options.seed, options.path_seed.value_or(options.seed),
+             path_name(options), options.speed, frames, options.width, options.height, image) +
          options_to_yaml(OptionSet().add("sensor", describe(sensor)));
 }
 
@@ -163,7 +171,10 @@ class Recorder {
  public:
   Recorder(const std::filesystem::path& folder, const SequenceOptions& options)
       : Recorder(folder, options,
-                 make_world(options.scene, {options.seed, options.path, options.speed})) {}
+                 make_world(options.scene, {.seed = options.seed,
+                                            .path_seed = options.path_seed,
+                                            .style = options.path,
+                                            .speed = options.speed})) {}
 
   [[nodiscard]] std::size_t frames() const { return frames_.size(); }
 
@@ -211,8 +222,7 @@ class Recorder {
         options_(options),
         path_(world.path),
         camera_(camera_of(options)),
-        frames_(schedule(options.frames.value_or(frames_of_a_round(path_)), options.sensor,
-                         options.seed)),
+        frames_(schedule(number_of_frames(path_, options), options.sensor, options.seed)),
         sensor_(
             world.scene, [path = path_](double seconds) { return path.T_world_camera(seconds); },
             world_seconds(frames_.back().color), camera_, options.sensor, options.seed) {}

@@ -21,11 +21,14 @@ enum class ImageFormat { kPng, kJpeg };
 struct SequenceOptions {
   std::string scene = "room";  ///< a name of world_names(), or a world file (*.yaml)
   std::uint32_t seed = 1;      ///< seed of textures, clutter, tremor and sensor
+  /// Seed of another walk through the same world (WorldOptions); empty = `seed`.
+  std::optional<std::uint32_t> path_seed = std::nullopt;
   std::optional<PathStyle> path = std::nullopt;  ///< empty = the world's own path
   double speed = 1;                              ///< 2 = the same path in half the time
-  std::optional<std::size_t> frames;  ///< number of frames at 30 Hz; empty = the whole path
-  int width = 640;                    ///< [px] in [16, 4096]
-  int height = 480;                   ///< [px] in [16, 4096]
+  std::optional<std::size_t> frames;             ///< number of frames; empty = the whole path
+  int laps = 1;      ///< rounds of the whole path, in [1, 1000]; a path with ends stays at its end
+  int width = 640;   ///< [px] in [16, 4096]
+  int height = 480;  ///< [px] in [16, 4096]
   /// Format of the colour images. PNG is lossless, so that colour is as exact as the poses; JPEG
   /// (quality 95) takes about a third of the space.
   ImageFormat image = ImageFormat::kPng;

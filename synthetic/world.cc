@@ -11,6 +11,7 @@
 #include "cvo_slam/core/options.h"
 #include "cvo_slam/synthetic/built_in_worlds_internal.h"
 #include "cvo_slam/synthetic/path_planning_internal.h"
+#include "cvo_slam/synthetic/random_internal.h"
 
 namespace cvo_slam::synthetic {
 namespace {
@@ -51,12 +52,33 @@ World world_of(const std::string& name, std::uint32_t seed) {
 
 }  // namespace
 
+namespace {
+
+/// Makes a plan that of another walk along the same way.
+void vary(PathPlan& plan, std::uint32_t seed) {
+  constexpr double kPosition = 0.1;  // [m]
+  constexpr double kTarget = 0.2;    // [m]
+  Random random(derived_seed(seed, 1));
+  const auto offset = [&random](double most) {
+    return Vector3(random.uniform(-most, most), random.uniform(-most, most),
+                   random.uniform(-most, most));
+  };
+  for (Viewpoint& viewpoint : plan.viewpoints) {
+    viewpoint.position += offset(kPosition);
+    viewpoint.target += offset(kTarget);
+  }
+  plan.tremor.seed = seed;
+}
+
+}  // namespace
+
 World make_world(const std::string& name, const WorldOptions& options) {
   World world = world_of(name, options.seed);
-  if (!options.style && options.speed == 1) return world;
+  if (!options.style && !options.path_seed && options.speed == 1) return world;
   PathPlan plan =
       options.style ? path_of(*options.style, world, options.seed).plan() : world.path.plan();
   plan.speed *= options.speed;
+  if (options.path_seed) vary(plan, *options.path_seed);
   world.path = CameraPath(std::move(plan));
   check_path(world.scene, world.path);
   return world;

@@ -41,7 +41,10 @@ enum class PathStyle {
 [[nodiscard]] const std::vector<std::pair<std::string, PathStyle>>& path_style_names();
 
 struct WorldOptions {
-  std::uint32_t seed = 1;                         ///< seed of textures, clutter and tremor
+  std::uint32_t seed = 1;  ///< seed of textures, clutter and tremor
+  /// Seed of another walk through the same world: another tremor, on a path whose viewpoints are
+  /// moved by up to a decimetre. Empty: the tremor of `seed` on the path as it is.
+  std::optional<std::uint32_t> path_seed = std::nullopt;
   std::optional<PathStyle> style = std::nullopt;  ///< empty = the world's own path
   double speed = 1;                               ///< 2 = the same path in half the time
 };

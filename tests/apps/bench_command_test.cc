@@ -127,6 +127,40 @@ TEST(BenchCommandLine, RefusesAMissingDatasetInOneLine) {
   EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1);
 }
 
+TEST_F(BenchCommand, VariantsRunOursWithOptionsThatDifferALittle) {
+  const ProgramResult result =
+      run_program({"bench", "variants", sequence_.string(), "--quiet", "--json", "--mode", "graph",
+                   "--variants", "defaults,points-5%"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto systems = nlohmann::json::parse(result.output)["systems"];
+  ASSERT_EQ(systems.size(), 2U);
+  EXPECT_EQ(systems[0]["name"], "defaults");
+  EXPECT_EQ(systems[1]["name"], "points-5%");
+  EXPECT_GE(systems[0]["finish_cpu_ms"], 0);
+}
+
+TEST_F(BenchCommand, RefusesAnUnknownVariantAndNamesTheNearest) {
+  const ProgramResult result =
+      run_program({"bench", "variants", sequence_.string(), "--variants", "points-5"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.errors,
+            "cvo_slam: error: --variants: unknown variant 'points-5'; did you mean 'points-5%'?\n");
+}
+
+/// Loses the second of two frames, and knows its pose at the end.
+class LateSystem final : public OdometrySystem {
+ public:
+  std::optional<SE3> track(const RgbdFrame& frame) override {
+    path_.poses.push_back({frame.stamp, SE3(Matrix3::Identity(), {0, 0, 7})});
+    if (path_.poses.size() == 2) return std::nullopt;
+    return SE3();
+  }
+  std::optional<Trajectory> finish() override { return path_; }
+
+ private:
+  Trajectory path_;
+};
+
 TEST(BenchCommandLine, AsksForTheComparison) {
   const ProgramResult result = run_program({"bench"});
   EXPECT_EQ(result.exit_code, 2);
@@ -167,6 +201,15 @@ TEST_F(OdometryBenchmarkTest, ALostFrameKeepsThePoseBeforeIt) {
   EXPECT_EQ(result.poses[1].T_world_camera.translation(), pose.translation());
   EXPECT_EQ(result.cpu.count, 2);
   EXPECT_EQ(benchmark.decoding.count, 2);
+}
+
+TEST_F(OdometryBenchmarkTest, ThePathKnownAtTheEndReplacesThatOfTracking) {
+  const auto benchmark = run(std::make_unique<LateSystem>());
+  const ContestantResult& result = benchmark.results.at(0);
+  EXPECT_EQ(result.lost, 0U);
+  ASSERT_EQ(result.poses.size(), 2U);
+  EXPECT_EQ(result.poses[0].T_world_camera.translation().z(), 7);
+  EXPECT_EQ(result.poses[1].T_world_camera.translation().z(), 7);
 }
 
 TEST_F(OdometryBenchmarkTest, WithoutAReferenceTheTableHasNoErrors) {

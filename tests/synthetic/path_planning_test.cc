@@ -76,6 +76,23 @@ TEST_P(PathStyles, AllStylesAreSmoothAndKeepClear) {
 INSTANTIATE_TEST_SUITE_P(BuiltIn, PathStyles, ::testing::ValuesIn(world_names()),
                          [](const auto& test) { return test.param; });
 
+TEST(PathSeed, WalksNearbyThroughTheSameWorld) {
+  const World world = make_world("office");
+  const World other = make_world("office", {.path_seed = 7});
+  EXPECT_EQ(world.scene.primitives.size(), other.scene.primitives.size());
+  EXPECT_EQ(world.path.duration(), other.path.duration());
+  double farthest = 0;
+  for (double t = 0; t < world.path.duration(); t += 0.5) {
+    const Vector3 way =
+        world.path.T_world_camera(t).translation() - other.path.T_world_camera(t).translation();
+    farthest = std::max(farthest, way.norm());
+  }
+  EXPECT_GT(farthest, 0.05);
+  EXPECT_LT(farthest, 0.2);
+  EXPECT_EQ(make_world("office", {.path_seed = 7}).path.T_world_camera(3).translation(),
+            other.path.T_world_camera(3).translation());
+}
+
 CameraPath office_path(PathStyle style, double speed = 1) {
   return make_world("office", {.style = style, .speed = speed}).path;
 }

@@ -47,6 +47,25 @@ TEST(Schedule, DepthStampsDeviateAsAskedAndStayWithTheirFrame) {
   EXPECT_NEAR(sum / kFrames, 0, 0.0006);
 }
 
+TEST(Schedule, DepthIsTakenAtTheOffsetAfterItsStamp) {
+  SensorOptions options;
+  options.timing.depth_jitter = 0.011;
+  const auto plain = schedule(5, options, 1);
+  options.timing.depth_offset = -0.019;
+  const auto late_stamps = schedule(5, options, 1);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    EXPECT_EQ(late_stamps[i].depth, plain[i].depth);
+    EXPECT_NEAR(*late_stamps[i].exposure().depth, *plain[i].exposure().depth - 0.019, 1e-9);
+    EXPECT_EQ(late_stamps[i].exposure().color, plain[i].exposure().color);
+  }
+}
+
+TEST(Schedule, FrameRateIsThatOfTheOptions) {
+  SensorOptions options;
+  options.timing.frame_rate = 90;
+  EXPECT_EQ(schedule(91, options, 1)[90].color.to_string(), "1001.000000");
+}
+
 TEST(Schedule, DropsTheSharesAskedFor) {
   SensorOptions options;
   options.timing.drop_color = 0.1;

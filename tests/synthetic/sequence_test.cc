@@ -166,6 +166,19 @@ TEST_F(Sequence, FramesOfANoisyOneArePairedAndHaveTheirExactPoses) {
   EXPECT_TRUE(stamps_differ);
 }
 
+TEST_F(Sequence, LapsRepeatAClosedPath) {
+  SequenceOptions options = small(1);
+  options.frames.reset();
+  options.laps = 2;
+  options.speed = 50;
+  options.sensor.timing.frame_rate = 10;
+  const auto summary = write_sequence(folder_, options);
+  const double lap = make_world("room", {.speed = 50}).path.duration();
+  EXPECT_EQ(summary.frames, static_cast<std::size_t>(std::lround(20 * lap)) + 1);
+  options.laps = 0;
+  EXPECT_THROW(write_sequence(folder_, options), OptionError);
+}
+
 TEST_F(Sequence, SaysHowItWasMade) {
   SequenceOptions options = small(1);
   options.sensor.depth.axial = 0.5;

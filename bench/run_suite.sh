@@ -1,0 +1,23 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The cvo_slam authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# run_suite.sh [arguments of snakemake]
+#
+# Runs the suite (bench/suite/README.md) and writes docs/results/suite.md, .csv and .json. What was done
+# for this revision is not done again.
+set -eu
+
+cd "$(dirname "$0")/.."
+. bench/results_page.sh
+command -v snakemake > /dev/null || {
+  echo "run_suite.sh: snakemake is missing; install the packages of bench/suite/packages.txt" >&2
+  exit 1
+}
+snakemake -s bench/suite/Snakefile --cores all --quiet "$@"
+for kind in csv json; do cp "build/suite/suite.$kind" "docs/results/suite.$kind"; done
+{
+  begin_page 'Accuracy and its spread' 'make suite' 'The figures are also in suite.csv and suite.json.'
+  echo
+  cat build/suite/suite.md
+} > docs/results/suite.md
