@@ -12,6 +12,7 @@
 
 #include "cvo_slam/apps/benchmark_report.h"
 #include "cvo_slam/apps/command_line.h"
+#include "cvo_slam/apps/depth_clock.h"
 #include "cvo_slam/apps/odometry_benchmark.h"
 #include "cvo_slam/apps/progress.h"
 #include "cvo_slam/apps/report_json.h"
@@ -66,7 +67,8 @@ using MakeContestants =
 
 int run_benchmark(const BenchArguments& arguments, const MakeContestants& make) {
   const ProgramOptions options = single_thread_options(arguments.tracking);
-  const auto data = arguments.tracking.open();
+  const auto timed = open_timed(arguments.tracking.sequence, options.slam.tracker);
+  const auto& data = timed.data;
   const FrameRange frames = arguments.tracking.range(data->size());
   const auto contestants = make(data->camera(), options);
   if (!arguments.plot.empty()) check_reference(*data);
@@ -77,9 +79,10 @@ int run_benchmark(const BenchArguments& arguments, const MakeContestants& make) 
 
   cv::setNumThreads(1);  // for the whole process, which is this program's own
   Progress progress(frames.size(), arguments.quiet);
-  const auto benchmark =
+  auto benchmark =
       run_odometry_benchmark(*data, frames, contestants,
                              [&](std::size_t done, std::size_t) { progress.update(done, ""); });
+  benchmark.depth_offset = timed.clock.text();
   if (!arguments.out.empty()) write_trajectories(arguments.out, benchmark);
   if (!arguments.plot.empty()) write_benchmark_plots(arguments.plot, *data, benchmark);
   fmt::print("{}",

@@ -129,6 +129,9 @@ std::string to_table(const Dataset& data, const OdometryBenchmark& benchmark) {
   std::string text =
       fmt::format("- sequence: {} ({}), frames {} to {} of {}{}, camera {}\n", data.name(),
                   data.kind(), frames.begin, frames.end - 1, data.size(), step, data.camera().name);
+  if (!benchmark.depth_offset.empty()) {
+    text += fmt::format("- depth offset: {}\n", benchmark.depth_offset);
+  }
   text += fmt::format("- protocol: {}\n", benchmark_protocol());
   text += fmt::format(
       "- decoding a frame's images: median {:.1f} ms, mean {:.1f} ms of CPU, in no row below\n",

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cvo_slam/apps/command_line.h"
+#include "cvo_slam/apps/depth_clock.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/io/camera_check.h"
 #include "cvo_slam/io/dataset.h"
@@ -62,7 +63,8 @@ nlohmann::json camera_json(const Camera& camera) {
   return json;
 }
 
-void print_json(const Dataset& data, const std::optional<Reprojection>& agreement,
+void print_json(const Dataset& data, const DepthClock& clock,
+                const std::optional<Reprojection>& agreement,
                 const std::vector<std::string>& notes) {
   const DatasetInfo info = measure(data);
   nlohmann::json json = {
@@ -70,6 +72,8 @@ void print_json(const Dataset& data, const std::optional<Reprojection>& agreemen
       {"kind", data.kind()},
       {"camera", camera_json(data.camera())},
       {"camera_origin", data.camera_origin()},
+      {"depth_offset_s", clock.seconds},
+      {"depth_offset_origin", clock.origin},
       {"frames", data.size()},
       {"duration_s", info.duration},
       {"rate_hz", info.rate},
@@ -105,12 +109,13 @@ void print_camera(const Camera& camera) {
   }
 }
 
-void print_text(const Dataset& data, const std::optional<Reprojection>& agreement,
+void print_text(const Dataset& data, const DepthClock& clock,
+                const std::optional<Reprojection>& agreement,
                 const std::vector<std::string>& notes) {
   const DatasetInfo info = measure(data);
   fmt::print("name       {}\nkind       {}\n", data.name(), data.kind());
   print_camera(data.camera());
-  fmt::print("origin     {}\n", data.camera_origin());
+  fmt::print("origin     {}\nclock      depth offset {}\n", data.camera_origin(), clock.text());
   fmt::print("frames     {} in {:.2f} s, {:.1f} Hz\n", data.size(), info.duration, info.rate);
   fmt::print("unpaired   {} colour, {} depth images\n", data.unpaired().color,
              data.unpaired().depth);
@@ -131,7 +136,9 @@ void print_text(const Dataset& data, const std::optional<Reprojection>& agreemen
 }
 
 int run_info(const InfoArguments& arguments) {
-  const auto data = arguments.sequence.open();
+  const TimedSequence timed = arguments.check ? open_timed(arguments.sequence, TrackerOptions())
+                                              : open_untimed(arguments.sequence);
+  const auto& data = timed.data;
   std::vector<std::string> notes = data->notes();
   if (const std::string problem = data->read(0).problem; !problem.empty()) {
     notes.push_back("warning: the first frame cannot be used: " + problem);
@@ -146,9 +153,9 @@ int run_info(const InfoArguments& arguments) {
     if (warning) notes.push_back("warning: " + *warning);
   }
   if (arguments.json) {
-    print_json(*data, agreement, notes);
+    print_json(*data, timed.clock, agreement, notes);
   } else {
-    print_text(*data, agreement, notes);
+    print_text(*data, timed.clock, agreement, notes);
   }
   return kDone;
 }
@@ -159,9 +166,10 @@ void add_info_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<InfoArguments>();
   Command command(app, "info", "Describe a data set");
   arguments->sequence.add_to(command);
-  command.add("--check", &arguments->check,
-              "Also re-project a few frames into each other by the ground truth: says whether the "
-              "camera fits the images");
+  command.add(
+      "--check", &arguments->check,
+      "Also measure the depth offset, and re-project a few frames into each other by the ground "
+      "truth: says whether the camera fits the images");
   command.add("--json", &arguments->json, "Print one JSON object instead of text");
   command.on_parsed(action, [arguments] { return run_info(*arguments); });
 }

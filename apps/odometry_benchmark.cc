@@ -183,7 +183,7 @@ OdometryBenchmark run_odometry_benchmark(const Dataset& data, const FrameRange& 
     for (auto& run : runs) run.track(frame);
     if (progress) progress(decoding.size(), frames.size());
   }
-  OdometryBenchmark benchmark{frames, summarize(decoding), {}};
+  OdometryBenchmark benchmark{frames, {}, summarize(decoding), {}};
   for (auto& run : runs) benchmark.results.push_back(run.finish(data.reference()));
   return benchmark;
 }

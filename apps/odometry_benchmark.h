@@ -73,7 +73,8 @@ struct ContestantResult {
 
 struct OdometryBenchmark {
   FrameRange frames;
-  Statistics decoding;  ///< CPU time of reading a frame, which no system is charged [s]
+  std::string depth_offset;  ///< that the sequence was read with, for people; may be empty
+  Statistics decoding;       ///< CPU time of reading a frame, which no system is charged [s]
   std::vector<ContestantResult> results;
 };
 

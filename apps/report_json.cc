@@ -95,11 +95,15 @@ Json json_of(const ContestantResult& result) {
 }
 
 Json json_of(const Dataset& data, const OdometryBenchmark& benchmark) {
-  Json json = {
-      {"sequence", data.name()},          {"kind", data.kind()},
-      {"camera", data.camera().name},     {"begin", benchmark.frames.begin},
-      {"end", benchmark.frames.end},      {"step", benchmark.frames.step},
-      {"protocol", benchmark_protocol()}, {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
+  Json json = {{"sequence", data.name()},
+               {"kind", data.kind()},
+               {"camera", data.camera().name},
+               {"begin", benchmark.frames.begin},
+               {"end", benchmark.frames.end},
+               {"step", benchmark.frames.step},
+               {"depth_offset", benchmark.depth_offset},
+               {"protocol", benchmark_protocol()},
+               {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
   json["systems"] = Json::array();
   for (const auto& result : benchmark.results) json["systems"].push_back(json_of(result));
   return json;
@@ -211,12 +215,21 @@ Json options_json(ProgramOptions options) {
   return json;
 }
 
+Json json_of(const DepthClock& clock) {
+  const bool measured = clock.measurement && clock.measurement->is_measured;
+  return {{"seconds", clock.seconds},
+          {"measured", measured},
+          {"uncertainty_s", measured ? Json(clock.measurement->uncertainty) : Json()},
+          {"origin", clock.origin}};
+}
+
 Json json_of(const RunReport& report) {
   const OdometryRun& run = report.run;
   Json json = {{"sequence", report.data.name()},
                {"kind", report.data.kind()},
                {"camera", report.data.camera().name},
                {"camera_origin", report.data.camera_origin()},
+               {"depth_offset", json_of(report.clock)},
                {"mode", report.mode},
                {"version", CVO_SLAM_VERSION},
                {"interrupted", run.signal != 0},

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/command_line.h"
+#include "cvo_slam/apps/depth_clock.h"
 #include "cvo_slam/apps/loop_pictures.h"
 #include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/apps/run_files.h"
@@ -104,14 +105,16 @@ int run(const RunArguments& arguments) {
   }
   const InterruptGuard interrupt;
   const auto vocabulary = vocabulary_of(arguments);
-  const auto data = arguments.tracking.open();
+  const TimedSequence timed = open_timed(arguments.tracking.sequence, options.slam.tracker);
+  const auto& data = timed.data;
   const FrameRange range = arguments.tracking.range(data->size());
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
   prepare_folder(folder, arguments.overwrite);
   write_tum(folder / "trajectory.txt", {});  // proves that it can, before hours of work
 
-  RunReport report{*data, range,        options,       arguments.mode,         {}, std::nullopt, {},
-                   {},    std::nullopt, data->notes(), arguments.loop_pictures};
+  RunReport report{
+      *data,        timed.clock, range, options,      arguments.mode, {},
+      std::nullopt, {},          {},    std::nullopt, data->notes(),  arguments.loop_pictures};
   const RunControl control{arguments.quiet, arguments.no_map ? 0 : options.map.pixel_step};
   if (arguments.mode != "odometry") {
     SlamRun slam = run_slam(*data, range, options, vocabulary, control);

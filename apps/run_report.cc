@@ -72,6 +72,7 @@ std::string to_table(const RunReport& report) {
       fmt::format("{:<12} {} ({})\n", "sequence", report.data.name(), report.data.kind());
   table += fmt::format("{:<12} {}: {}\n", "camera", report.data.camera().name,
                        report.data.camera_origin());
+  table += fmt::format("{:<12} {}\n", "depth offset", report.clock.text());
   if (report.evaluation) table += error_rows(*report.evaluation);
   table += fmt::format("{:<12} {:.2f} m\n", "path", path_length(report.trajectory.poses));
   table += fmt::format("{:<12} {:.1f} fps; read {:.1f} ms, track {:.1f} ms a frame (median)\n",

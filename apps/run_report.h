@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cvo_slam/apps/depth_clock.h"
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/loop_pictures.h"
 #include "cvo_slam/apps/run_map.h"
@@ -18,6 +19,7 @@ namespace cvo_slam {
 /// All results of a run.
 struct RunReport {
   const Dataset& data;
+  DepthClock clock;
   FrameRange range;
   ProgramOptions options;
   std::string mode;

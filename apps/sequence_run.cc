@@ -49,9 +49,11 @@ OdometryRun run_frames(const Dataset& data, const FrameRange& range,
   FramePrefetcher frames(data, range.begin, range.end, range.step);
   constexpr std::size_t kFirstFrames = 10;  // of which one at least has images, or none ever has
   std::size_t problems = 0;
-  while (!frames.done() && !InterruptGuard::requested() && !run.unusable) {
+  while (!InterruptGuard::requested() && !run.unusable) {
     const auto wait_start = Clock::now();
-    const RgbdFrame frame = frames.next();
+    const std::optional<RgbdFrame> next = frames.next();
+    if (!next) break;
+    const RgbdFrame& frame = *next;
     problems += frame.problem.empty() ? 0 : 1;
     const auto track_start = Clock::now();
     run.costs.push_back(

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/tracking_arguments.h"
 
+#include <charconv>
+#include <system_error>
+
+#include <fmt/format.h>
+
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/simd.h"
 #include "cvo_slam/io/camera_file.h"
@@ -50,15 +55,32 @@ void DatasetArguments::add_to(Command& command) {
   command.add("--max-diff", &options.max_stamp_difference,
               "Largest difference between the stamps of a colour and a depth image that make a "
               "frame [s] (default 0.02)");
-  command.add("--depth-offset", &options.depth_offset,
-              "Time to add to the stamps of the depth images [s] (default 0)");
+  command
+      .add(
+          "--depth-offset", &depth_offset,
+          "Time to add to the stamps of the depth images [s]; auto = that of the camera file, else "
+          "measured if colour and depth have different stamps; measure = always measured")
+      .show_default();
 }
 
-std::unique_ptr<Dataset> DatasetArguments::open() const {
+std::optional<double> DatasetArguments::given_depth_offset() const {
+  if (depth_offset == kAutomaticDepthOffset || depth_offset == kMeasuredDepthOffset) {
+    return std::nullopt;
+  }
+  double seconds = 0;
+  const char* end = depth_offset.data() + depth_offset.size();
+  const auto [rest, error] = std::from_chars(depth_offset.data(), end, seconds);
+  if (error == std::errc() && rest == end) return seconds;
+  throw OptionError(fmt::format("--depth-offset '{}': expected seconds, {} or {}", depth_offset,
+                                kAutomaticDepthOffset, kMeasuredDepthOffset));
+}
+
+std::unique_ptr<Dataset> DatasetArguments::open(const std::optional<double>& offset) const {
   if (dataset.empty()) throw OptionError("no dataset given: name the folder of a sequence");
   DatasetOptions chosen = options;
   if (!camera.empty()) chosen.camera = find_camera(camera);
   if (!associations.empty()) chosen.associations = associations;
+  chosen.depth_offset = offset ? offset : given_depth_offset();
   return open_dataset(dataset, chosen);
 }
 

@@ -46,18 +46,30 @@ struct OptionArguments {
   [[nodiscard]] ProgramOptions options() const;
 };
 
+/// What --depth-offset can be besides a number: measured if the stamps of colour and depth differ
+/// and the camera does not say it, or measured in any case.
+inline constexpr const char* kAutomaticDepthOffset = "auto";
+inline constexpr const char* kMeasuredDepthOffset = "measure";
+
 /// The arguments that say which sequence is read, and how.
 struct DatasetArguments {
   std::filesystem::path dataset;
   std::string camera;                  ///< file or built-in name; empty = the one of the sequence
   std::filesystem::path associations;  ///< empty = those of the sequence
+  std::string depth_offset = kAutomaticDepthOffset;  ///< or "measure", or seconds
   DatasetOptions options;
 
   /// Declares them on a subcommand. The folder is the first positional argument.
   void add_to(Command& command);
 
-  /// Opens the sequence. Throws InputError if that fails.
-  [[nodiscard]] std::unique_ptr<Dataset> open() const;
+  /// Returns the depth offset if --depth-offset is a number [s]. Throws OptionError if it is none
+  /// of the words.
+  [[nodiscard]] std::optional<double> given_depth_offset() const;
+
+  /// Opens the sequence with a depth offset; empty = the one given, else that of the camera. Throws
+  /// InputError if that fails.
+  [[nodiscard]] std::unique_ptr<Dataset> open(
+      const std::optional<double>& offset = std::nullopt) const;
 };
 
 /// The arguments that `run` and `bench` share: which frames of which sequence, with which options.
@@ -68,7 +80,6 @@ struct TrackingArguments : OptionArguments {
   /// Declares the options on a subcommand.
   void add_to(Command& command);
 
-  [[nodiscard]] std::unique_ptr<Dataset> open() const { return sequence.open(); }
   /// Returns the frames to use of a sequence of `size` frames. Throws OptionError.
   [[nodiscard]] FrameRange range(std::size_t size) const { return parse_frames(frames, size); }
 };

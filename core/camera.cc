@@ -174,6 +174,9 @@ void Camera::check() const {
     check_baseline(depth->T_color_depth);
   }
   check_depth_scale(depth_scale);
+  if (!(std::fabs(depth_offset.value_or(0)) <= 1e6)) {
+    fail_camera(fmt::format("depth_offset={} must be at most a million seconds", *depth_offset));
+  }
   if (!(readout_time >= 0 && readout_time < 1)) {
     fail_camera(fmt::format("readout_time={} must be in [0, 1) s", readout_time));
   }

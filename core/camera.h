@@ -84,6 +84,9 @@ struct Camera {
   /// Time that a rolling shutter takes from the first row to the last [s]; the stamp is the middle
   /// row's. 0 for a global shutter.
   double readout_time = 0;
+  /// What is added to the stamps of depth images to get the time of the colour camera's clock [s],
+  /// at most a million; -0.019 if they are 19 ms late. Empty = not known, taken as 0.
+  std::optional<double> depth_offset;
   std::optional<DepthCamera> depth;
   SensorNoise noise;
 

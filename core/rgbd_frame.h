@@ -15,8 +15,8 @@ namespace cvo_slam {
 struct RgbdFrame {
   std::size_t index = 0;  ///< position in its sequence, from 0
   Timestamp stamp;        ///< stamp of the colour image, to which the pose belongs
-  Timestamp depth_stamp;
-  cv::Mat color;  ///< CV_8UC3 (blue, green, red) or CV_8UC1
+  Timestamp depth_stamp;  ///< as its camera says; see Camera::depth_offset
+  cv::Mat color;          ///< CV_8UC3 (blue, green, red) or CV_8UC1
   cv::Mat
       depth;  ///< CV_16UC1, registered to `color`, Camera::depth_scale units per metre, 0 = none
   /// Why the images could not be read; empty if they could. The tracker reports kLost with it.

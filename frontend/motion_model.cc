@@ -17,12 +17,12 @@ Vector6 MotionModel::velocity_to(const Timestamp& stamp, const SE3& T_world_came
   return (T_world_camera_.inverse() * T_world_camera).log() / seconds_between(stamp_, stamp);
 }
 
-SE3 MotionModel::motion(const Timestamp& from, const Timestamp& to) const {
-  return velocity_ ? SE3::exp(seconds_between(from, to) * *velocity_) : SE3();
+SE3 MotionModel::motion_during(double seconds) const {
+  return velocity_ ? SE3::exp(seconds * *velocity_) : SE3();
 }
 
 SE3 MotionModel::predict(const Timestamp& stamp) const {
-  return T_world_camera_ * motion(stamp_, stamp);
+  return T_world_camera_ * motion_during(seconds_between(stamp_, stamp));
 }
 
 void undo_rolling_shutter(const Vector6& velocity, double readout_time, int rows,

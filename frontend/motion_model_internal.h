@@ -25,8 +25,8 @@ class MotionModel {
 
   /// Returns T_world_camera at a time.
   [[nodiscard]] SE3 predict(const Timestamp& stamp) const;
-  /// Returns the motion between two times: the camera's pose at `to` in its frame at `from`.
-  [[nodiscard]] SE3 motion(const Timestamp& from, const Timestamp& to) const;
+  /// Returns the motion in a time [s]: the camera's pose after it in its frame before.
+  [[nodiscard]] SE3 motion_during(double seconds) const;
   /// Returns the velocity; zero if it is not known.
   [[nodiscard]] Vector6 velocity() const { return velocity_.value_or(Vector6::Zero()); }
   /// Returns the velocity from the last pose to this one.

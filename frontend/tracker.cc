@@ -175,9 +175,10 @@ void Tracker::Impl::select(const PreparedFrame& from, int count, PointCloud& clo
   // A longer delay is a depth stamp that was not set.
   constexpr double kMaxDelay = 0.1;  // [s]
   const RgbdFrame& images = from.images;
-  const double delay = seconds_between(images.stamp, images.depth_stamp);
+  const double delay =
+      seconds_between(images.stamp, images.depth_stamp) + camera.depth_offset.value_or(0);
   const bool compensate = options.compensate_depth_delay && std::abs(delay) < kMaxDelay;
-  const SE3 T_color_depth = compensate ? motion.motion(images.stamp, images.depth_stamp) : SE3();
+  const SE3 T_color_depth = compensate ? motion.motion_during(delay) : SE3();
   selector.select(from, count, T_color_depth, cloud);
 }
 

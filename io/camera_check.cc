@@ -98,9 +98,9 @@ void warn_of_pinhole(const PinholeCamera& camera, const std::string& name,
 
 }  // namespace
 
-std::vector<PosedFrame> posed_frames(const std::vector<Timestamp>& stamps,
+std::vector<LocatedFrame> posed_frames(const std::vector<Timestamp>& stamps,
                                      const std::vector<StampedPose>& poses) {
-  std::vector<PosedFrame> frames;
+  std::vector<LocatedFrame> frames;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     const auto pose = interpolate_at(poses, stamps[i], kMaxPoseGap);
     if (pose) frames.push_back({i, *pose});
@@ -108,7 +108,7 @@ std::vector<PosedFrame> posed_frames(const std::vector<Timestamp>& stamps,
   return frames;
 }
 
-std::vector<FramePairMotion> choose_pairs(const std::vector<PosedFrame>& frames) {
+std::vector<FramePairMotion> choose_pairs(const std::vector<LocatedFrame>& frames) {
   constexpr std::size_t kPairs = 6, kFarthest = 60;
   constexpr double kTurn = 0.2, kStep = 0.25;  // [rad], [m]: most of the image is seen by both
   std::vector<FramePairMotion> pairs;

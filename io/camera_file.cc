@@ -93,14 +93,18 @@ DepthCamera parse_depth_camera(const YamlValue& map) {
 }
 
 Camera parse_own_camera(const YamlValue& root, const std::string& file_name) {
-  root.check_keys(with_pinhole_keys({"name", "depth_scale", "readout_time", "noise", "depth"}),
-                  "camera");
+  root.check_keys(
+      with_pinhole_keys({"name", "depth_scale", "readout_time", "depth_offset", "noise", "depth"}),
+      "camera");
   Camera camera;
   camera.name = root.find("name") != nullptr ? root.find("name")->word("name") : file_name;
   camera.color = parse_pinhole(root, "camera");
   camera.depth_scale = root.require("depth_scale", "camera").number("depth_scale");
   if (const YamlValue* time = root.find("readout_time")) {
     camera.readout_time = time->number("readout_time");
+  }
+  if (const YamlValue* offset = root.find("depth_offset")) {
+    camera.depth_offset = offset->number("depth_offset");
   }
   if (const YamlValue* noise = root.find("noise")) camera.noise = parse_noise(*noise);
   if (const YamlValue* depth = root.find("depth")) camera.depth = parse_depth_camera(*depth);
@@ -288,6 +292,10 @@ std::string camera_to_yaml(const Camera& camera) {
   if (camera.readout_time != 0) {
     text += fmt::format("readout_time: {}  # rolling shutter, first to last row [s]\n",
                         camera.readout_time);
+  }
+  if (camera.depth_offset) {
+    text += fmt::format("depth_offset: {}  # to be added to the stamps of depth images [s]\n",
+                        *camera.depth_offset);
   }
   text += fmt::format(
       "noise:  # standard deviations: of depth z, max(depth_floor, depth_quadratic z^2)\n"

@@ -63,6 +63,9 @@ class SequenceDataset final : public Dataset {
   [[nodiscard]] Timestamp stamp(std::size_t index) const override {
     return sequence_.frames.at(index).stamp;
   }
+  [[nodiscard]] Timestamp depth_stamp(std::size_t index) const override {
+    return sequence_.frames.at(index).depth_stamp;
+  }
   [[nodiscard]] UnpairedImages unpaired() const override { return sequence_.unpaired; }
   [[nodiscard]] const std::vector<StampedPose>& reference() const override {
     return sequence_.reference;
@@ -106,13 +109,20 @@ std::unique_ptr<Dataset> open_dataset(const Path& folder, const DatasetOptions& 
   if (!(options.max_stamp_difference >= 0 && options.max_stamp_difference <= kMostSeconds)) {
     throw OptionError("max_stamp_difference must be from 0 to a million seconds");
   }
-  if (!(std::fabs(options.depth_offset) <= kMostSeconds)) {
+  if (!(std::fabs(options.depth_offset.value_or(0)) <= kMostSeconds)) {
     throw OptionError("depth_offset must be at most a million seconds");
   }
   const DatasetFormat& format = recognise_format(folder, options);
-  Sequence sequence = format.open(
-      folder, {options.associations, options.max_stamp_difference, options.depth_offset});
+  PairingOptions pairing = {options.associations, options.max_stamp_difference,
+                            options.depth_offset.value_or(0)};
+  Sequence sequence = format.open(folder, pairing);
   ChosenCamera camera = choose_camera(folder, options.camera, format, sequence);
+  if (options.depth_offset) camera.camera.depth_offset = options.depth_offset;
+  const double depth_offset = camera.camera.depth_offset.value_or(0);
+  if (depth_offset != pairing.depth_offset) {  // the camera's own
+    pairing.depth_offset = depth_offset;
+    sequence = format.open(folder, pairing);
+  }
   return std::make_unique<SequenceDataset>(folder, format, std::move(camera), std::move(sequence));
 }
 
@@ -154,9 +164,8 @@ FramePrefetcher::FramePrefetcher(const Dataset& data, std::size_t begin, std::si
 
 FramePrefetcher::~FramePrefetcher() = default;
 
-bool FramePrefetcher::done() const { return queue_->empty(); }
-
-RgbdFrame FramePrefetcher::next() {
+std::optional<RgbdFrame> FramePrefetcher::next() {
+  if (queue_->empty()) return std::nullopt;
   std::future<RgbdFrame> frame = queue_->pop();
   queue_->push();
   return frame.get();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/frame_source.h"
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/trajectory.h"
 
@@ -26,9 +27,9 @@ struct DatasetOptions {
   /// A file of lines "stamp file stamp file" that pairs colour and depth images, in place of the
   /// sequence's own; its paths are relative to the folder of the sequence.
   std::optional<std::filesystem::path> associations = std::nullopt;
-  /// Time added to the stamps of the depth images before anything else [s], for recordings whose
-  /// depth clock is off; at most a million.
-  double depth_offset = 0;
+  /// The depth offset to use in place of the camera's (Camera::depth_offset) [s], at most a
+  /// million. Images are paired by the stamps with it.
+  std::optional<double> depth_offset = std::nullopt;
 };
 
 /// Numbers of images that have no partner and therefore are in no frame.
@@ -57,6 +58,8 @@ class Dataset {
   [[nodiscard]] virtual RgbdFrame read(std::size_t index) const = 0;
   /// Returns the stamp of frame `index` without reading its images.
   [[nodiscard]] virtual Timestamp stamp(std::size_t index) const = 0;
+  /// Returns the stamp of its depth image in the same way.
+  [[nodiscard]] virtual Timestamp depth_stamp(std::size_t index) const = 0;
   [[nodiscard]] virtual UnpairedImages unpaired() const = 0;
   /// Ground-truth poses of the colour camera; empty if the sequence has none.
   [[nodiscard]] virtual const std::vector<StampedPose>& reference() const = 0;
@@ -81,21 +84,17 @@ class Dataset {
 
 /// Reads the frames of a range one after the other and decodes the next ones at the same time, each
 /// on its own thread. next() returns what Dataset::read() would return, in the same order.
-class FramePrefetcher {
+class FramePrefetcher final : public FrameSource {
  public:
   /// Takes the frames begin, begin + step, ... below `end` and reads `ahead` >= 1 of them at a
   /// time. `data` must outlive the object.
   FramePrefetcher(const Dataset& data, std::size_t begin, std::size_t end, std::size_t step = 1,
                   std::size_t ahead = 2);
   /// Waits for the frames that are being read.
-  ~FramePrefetcher();
-  FramePrefetcher(const FramePrefetcher&) = delete;
-  FramePrefetcher& operator=(const FramePrefetcher&) = delete;
+  ~FramePrefetcher() override;
 
-  /// Returns true if all frames of the range were returned.
-  [[nodiscard]] bool done() const;
-  /// Returns the next frame; must not be called when done(). Throws what Dataset::read() throws.
-  [[nodiscard]] RgbdFrame next();
+  /// Returns the next frame; nothing after the last one. Throws what Dataset::read() throws.
+  [[nodiscard]] std::optional<RgbdFrame> next() override;
 
  private:
   class Queue;

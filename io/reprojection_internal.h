@@ -19,22 +19,22 @@ namespace cvo_slam {
 inline constexpr double kMaxPoseGap = 0.1;
 
 /// A frame of a recording and its pose.
-struct PosedFrame {
+struct LocatedFrame {
   std::size_t index = 0;
   SE3 T_world_camera;
 };
 
 struct FramePairMotion {
-  PosedFrame a;
-  PosedFrame b;
+  LocatedFrame a;
+  LocatedFrame b;
 };
 
 /// Returns the frames whose stamp has a pose.
-[[nodiscard]] std::vector<PosedFrame> posed_frames(const std::vector<Timestamp>& stamps,
+[[nodiscard]] std::vector<LocatedFrame> posed_frames(const std::vector<Timestamp>& stamps,
                                                    const std::vector<StampedPose>& poses);
 
 /// Returns a few pairs spread over the frames, each as far apart as its images overlap well.
-[[nodiscard]] std::vector<FramePairMotion> choose_pairs(const std::vector<PosedFrame>& frames);
+[[nodiscard]] std::vector<FramePairMotion> choose_pairs(const std::vector<LocatedFrame>& frames);
 
 /// The images of a pair: grey (CV_8UC1), and depth registered to it (CV_16UC1).
 struct GreyDepth {

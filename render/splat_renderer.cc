@@ -28,6 +28,7 @@ class DepthBuffer {
 
   void add(const Splat& splat) {
     const double radius = splat.radius;
+    if (!std::isfinite(splat.x + splat.y + radius)) return;
     const PixelRange columns(splat.x - radius, splat.x + radius, raster_.color.cols);
     const PixelRange rows(splat.y - radius, splat.y + radius, raster_.color.rows);
     const cv::Vec3b pixel = to_pixel(splat.color);

@@ -179,20 +179,23 @@ Sequence open_listed_pairs(const Path& list, const Path& folder, double depth_of
   sequence.frames = read_association_list(list, folder, sequence.notes);
   sequence.notes.push_back(
       fmt::format("frames are paired by {}{}", list.filename().string(),
-                  depth_offset == 0 ? "" : "; the depth offset changes their stamps and no pair"));
-  for (FrameFiles& frame : sequence.frames) {
-    frame.depth_stamp = shifted(frame.depth_stamp, depth_offset);
-  }
+                  depth_offset == 0 ? "" : "; the depth offset changes no pair"));
   return sequence;
+}
+
+bool has_two_lists(const Path& folder) {
+  return std::filesystem::is_regular_file(folder / "rgb.txt") &&
+         std::filesystem::is_regular_file(folder / "depth.txt");
 }
 
 Sequence open_two_lists(const Path& folder, const PairingOptions& options) {
   Sequence sequence;
   const auto colors = read_image_list(folder / "rgb.txt", sequence.notes);
-  auto depths = read_image_list(folder / "depth.txt", sequence.notes);
-  for (StampedFile& depth : depths) depth.stamp = shifted(depth.stamp, options.depth_offset);
+  const auto depths = read_image_list(folder / "depth.txt", sequence.notes);
+  std::vector<Timestamp> depth_stamps = image_stamps(depths);
+  for (Timestamp& stamp : depth_stamps) stamp = shifted(stamp, options.depth_offset);
   for (const auto& [i, j] :
-       associate_stamps(image_stamps(colors), image_stamps(depths), options.max_stamp_difference)) {
+       associate_stamps(image_stamps(colors), depth_stamps, options.max_stamp_difference)) {
     sequence.frames.push_back({colors[i].stamp, depths[j].stamp, colors[i].file, depths[j].file});
   }
   if (sequence.frames.empty()) {
@@ -308,10 +311,17 @@ bool has_frame_numbers(const std::vector<FrameFiles>& frames) {
 }
 
 Sequence open_image_lists(const Path& folder, const PairingOptions& options) {
-  const auto own_list = find_association_file(folder);
-  const auto list = options.associations ? options.associations : own_list;
+  auto list = options.associations ? options.associations : find_association_file(folder);
+  std::string note;
+  if (list && !options.associations && options.depth_offset != 0 && has_two_lists(folder)) {
+    note = fmt::format(
+        "frames are paired by rgb.txt and depth.txt, not by {}: the depth offset changes pairs",
+        list->filename().string());
+    list.reset();
+  }
   Sequence sequence = list ? open_listed_pairs(*list, folder, options.depth_offset)
                            : open_two_lists(folder, options);
+  if (!note.empty()) sequence.notes.push_back(note);
   note_images_outside(folder, sequence);
   if (has_frame_numbers(sequence.frames)) {
     sequence.notes.emplace_back("stamps are frame numbers: what is said per second is per frame");

@@ -102,10 +102,8 @@ bool is_seven_scenes(const Path& folder) {
 }
 
 Sequence open_seven_scenes(const Path& folder, const PairingOptions& options) {
-  if (options.associations || options.depth_offset != 0) {
-    throw OptionError(
-        "7-Scenes pairs images by their numbers: leave out the list of pairs and the "
-        "depth offset");
+  if (options.associations) {
+    throw OptionError("7-Scenes pairs images by their numbers: leave out the list of pairs");
   }
   Sequence sequence;
   sequence.invalid_depth = 65535;

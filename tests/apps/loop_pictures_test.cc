@@ -71,6 +71,7 @@ class FewImages : public Dataset {
     }
     return frame;
   }
+  [[nodiscard]] Timestamp depth_stamp(std::size_t index) const override { return stamp(index); }
   [[nodiscard]] Timestamp stamp(std::size_t index) const override {
     return Timestamp::from_seconds(static_cast<double>(index));
   }

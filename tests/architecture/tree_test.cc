@@ -104,6 +104,35 @@ std::set<std::string> private_names(const SourceFile& file) {
   return names;
 }
 
+/// Returns the classes that a header defines, with their namespace.
+std::set<std::string> classes_of_namespace(const SourceFile& header) {
+  static const std::regex kClass(R"(^(?:struct|class|enum class) (\w+)\b[^;]*)");
+  static const std::regex kNamespace(R"(^namespace ([\w:]+) \{.*)");
+  std::set<std::string> names;
+  std::string space;
+  for (const std::string& line : header.code) {
+    std::smatch match;
+    if (std::regex_match(line, match, kNamespace)) space = match[1];
+    if (std::regex_match(line, match, kClass)) names.insert(space + "::" + match[1].str());
+  }
+  return names;
+}
+
+// Two classes of one name in one namespace are one to the linker, in whatever libraries they are:
+// the program then calls the constructor of one for the other.
+TEST(Architecture, ClassesOfHeadersHaveOneDefinition) {
+  std::map<std::string, std::string> owner;
+  for (const SourceFile& file : tree()) {
+    if (!file.path.ends_with(".h") || room_of(file.path) == nullptr) continue;
+    for (const std::string& name : classes_of_namespace(file)) {
+      const auto [entry, is_new] = owner.emplace(name, file.path);
+      EXPECT_TRUE(is_new) << file.path << ": '" << name << "' is also in " << entry->second
+                          << "; give one of them another name";
+    }
+  }
+  EXPECT_GT(owner.size(), 200U) << "the files must be understood";
+}
+
 // In a unity build the sources of a room are one: a name of one file would hide that of another,
 // or be called in its place.
 TEST(Architecture, NamesOfAFileAreItsOwnInItsRoom) {

@@ -23,14 +23,14 @@ SE3 pose_after(double seconds) { return kStart * SE3::exp(seconds * kVelocity); 
 TEST(MotionModel, StaysAtTheOriginBeforeTheFirstPose) {
   const MotionModel model;
   expect_near(model.predict(at(5)), SE3());
-  expect_near(model.motion(at(1), at(2)), SE3());
+  expect_near(model.motion_during(1), SE3());
 }
 
 TEST(MotionModel, StaysAtTheFirstPose) {
   MotionModel model;
   model.update(at(10), kStart);
   expect_near(model.predict(at(11)), kStart);
-  expect_near(model.motion(at(10), at(11)), SE3());
+  expect_near(model.motion_during(1), SE3());
   expect_near(model.last_pose(), kStart);
   EXPECT_EQ(model.last_stamp(), at(10));
 }
@@ -48,8 +48,8 @@ TEST(MotionModel, MotionIsThePoseOfTheLaterCameraInTheEarlierOne) {
   MotionModel model;
   model.update(at(10), kStart);
   model.update(at(11), pose_after(1));
-  expect_near(model.motion(at(11), at(11.017)), pose_after(1).inverse() * pose_after(1.017));
-  expect_near(model.motion(at(11), at(10.983)), pose_after(1).inverse() * pose_after(0.983));
+  expect_near(model.motion_during(0.017), pose_after(1).inverse() * pose_after(1.017));
+  expect_near(model.motion_during(-0.017), pose_after(1).inverse() * pose_after(0.983));
 }
 
 TEST(MotionModel, TakesTheVelocityOfTheLastTwoPoses) {
@@ -66,7 +66,7 @@ TEST(MotionModel, ForgettingTheVelocityKeepsThePose) {
   model.update(at(11), pose_after(1));
   model.forget_velocity();
   expect_near(model.predict(at(12)), pose_after(1));
-  expect_near(model.motion(at(11), at(12)), SE3());
+  expect_near(model.motion_during(1), SE3());
   // The next pose gives the mean velocity over the gap.
   model.update(at(13), pose_after(3));
   expect_near(model.predict(at(14)), pose_after(4));

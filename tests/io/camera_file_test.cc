@@ -61,6 +61,7 @@ TEST(ReadCamera, ReadsWhatWriteCameraWrote) {
   EXPECT_EQ(again.name, camera.name);
   EXPECT_EQ(again.depth_scale, camera.depth_scale);
   EXPECT_EQ(again.readout_time, camera.readout_time);
+  EXPECT_EQ(again.depth_offset, camera.depth_offset);
   EXPECT_EQ(again.noise.depth_floor, camera.noise.depth_floor);
   EXPECT_EQ(again.noise.depth_quadratic, camera.noise.depth_quadratic);
   EXPECT_EQ(again.noise.pixel, camera.noise.pixel);
@@ -75,6 +76,9 @@ TEST(ReadCamera, ReadsWhatWriteCameraWrote) {
 TEST(ReadCamera, KnowsTheReadoutTimeOfARollingShutter) {
   EXPECT_EQ(find_camera("tum_fr1").readout_time, 0.026);
   EXPECT_EQ(find_camera("icl_nuim").readout_time, 0);
+  EXPECT_FALSE(find_camera("tum_fr1").depth_offset);
+  EXPECT_NE(read_error(std::string(kGood) + "depth_offset: 2000000\n").find("depth_offset=2000000"),
+            std::string::npos);
   EXPECT_NE(read_error(std::string(kGood) + "readout_time: -1\n").find("readout_time=-1"),
             std::string::npos);
 }

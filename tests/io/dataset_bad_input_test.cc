@@ -107,7 +107,35 @@ TEST(OpenDataset, PairsByAGivenListAndAnOffset) {
   const auto data = open_dataset(sequence.path(), options);
   ASSERT_EQ(data->size(), 1);
   EXPECT_EQ(data->stamp(0).to_string(), "0.10");
-  EXPECT_EQ(data->read(0).depth_stamp.nanoseconds(), 100'000'000);
+  EXPECT_EQ(data->depth_stamp(0).to_string(), "0.005");  // the stamp stays as it is
+  EXPECT_EQ(data->read(0).depth_stamp, data->depth_stamp(0));
+  EXPECT_EQ(data->camera().depth_offset, 0.095);
+}
+
+TEST(OpenDataset, TheOffsetOfTheCameraPairsToo) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  DatasetOptions options;
+  options.camera = tiny_camera();
+  options.camera->depth_offset = 0.095;
+  const auto data = open_dataset(sequence.path(), options);
+  ASSERT_EQ(data->size(), 1);
+  EXPECT_EQ(data->stamp(0).to_string(), "0.10");
+  options.depth_offset = 0;  // goes before the camera's
+  EXPECT_EQ(open_dataset(sequence.path(), options)->size(), 2);
+}
+
+TEST(OpenDataset, AnOffsetPairsAnewInSpiteOfAListOfPairs) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  sequence.write("associations.txt", "0.00 rgb/0.png 0.005 depth/0.png\n");
+  DatasetOptions options;
+  options.camera = tiny_camera();
+  EXPECT_EQ(open_dataset(sequence.path(), options)->stamp(0).to_string(), "0.00");
+  options.depth_offset = 0.095;
+  const auto data = open_dataset(sequence.path(), options);
+  EXPECT_EQ(data->stamp(0).to_string(), "0.10");
+  EXPECT_THAT(data->notes(), Contains(HasSubstr("not by associations.txt")));
 }
 
 TEST(OpenDataset, SaysThatImagesLieOutside) {
