@@ -114,7 +114,7 @@ TEST(ReadCamera, NamesTheLineOfAMistake) {
   const std::string good = kGood;
   EXPECT_EQ(read_error(good + "focal: 3\n"),
             "c.yaml:8: camera: unknown key 'focal'; there are: name, depth_scale, readout_time, "
-            "noise, depth, width, height, fx, fy, cx, cy, distortion");
+            "depth_offset, noise, depth, width, height, fx, fy, cx, cy, distortion");
   EXPECT_EQ(read_error(good + "hight: 3\n"),
             "c.yaml:8: camera: unknown key 'hight'; did you mean 'height'?");
   EXPECT_EQ(read_error(good + "fx: 3\n"), "c.yaml:8: key 'fx' is given twice; remove one");
