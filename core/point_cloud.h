@@ -20,6 +20,8 @@ struct PointCloud {
   std::vector<float> x, y, z;  ///< position in the camera frame [m]
   std::array<std::vector<float>, kFeatures> features;
   std::vector<float> u, v;  ///< pixel the point was seen at [px]
+  /// Standard deviation of each position along the ray from the origin [m]; empty = none known.
+  std::vector<float> ray_noise;
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
   [[nodiscard]] bool empty() const { return x.empty(); }
@@ -29,6 +31,7 @@ struct PointCloud {
   void resize(std::size_t n) {
     for (auto* array : {&x, &y, &z, &u, &v}) array->resize(n);
     for (auto& feature : features) feature.resize(n);
+    if (!ray_noise.empty()) ray_noise.resize(n);
   }
 };
 

@@ -25,7 +25,12 @@ OptionSet describe(KernelOptions& o) {
            "changes "
            "of exposure for other colours; a larger one hardly tells colours apart.")
       .add("gradient_scale", o.gradient_scale, {1, 1e6}, "8-bit values a pixel",
-           "Length scale of the squared exponential on the image gradient.");
+           "Length scale of the squared exponential on the image gradient.")
+      .add("ray_noise", o.ray_noise, {0, 100}, "",
+           "Factor on the camera's depth noise, by which the kernel is longer along a point's ray "
+           "d: its covariance is ell^2 I + (factor noise)^2 d d^T. 0 = the kernel is a ball. Not "
+           "for "
+           "the solver flow.");
 }
 
 double support_radius(const KernelOptions& options, double length_scale) {

@@ -43,7 +43,7 @@ Matrix3 from_columns(const std::array<double, 9>& a) {
 }
 
 /// Computes the formulas of ObjectiveValue.
-ObjectiveValue assemble(const PairSums& sums, double ell) {
+ObjectiveValue assemble(const PairSums& sums) {
   ObjectiveValue result;
   result.value = sums.value;
   result.inner_product = sums.w;
@@ -59,29 +59,27 @@ ObjectiveValue assemble(const PairSums& sums, double ell) {
   result.hessian.bottomRightCorner<3, 3>() =
       symmetric(sums.QAQ) + sq.trace() * Matrix3::Identity() - 0.5 * (sq + sq.transpose());
 
-  const double inv2 = 1 / (ell * ell);
-  const Matrix3 wqq = symmetric(sums.wqq);
-  const Matrix3 wq = skew(vector(sums.wq));
-  result.majorizer.topLeftCorner<3, 3>() = inv2 * sums.w * Matrix3::Identity();
-  result.majorizer.topRightCorner<3, 3>() = -inv2 * wq;
-  result.majorizer.bottomLeftCorner<3, 3>() = inv2 * wq;
-  result.majorizer.bottomRightCorner<3, 3>() = inv2 * (wqq.trace() * Matrix3::Identity() - wqq);
+  const Matrix3 BQ = from_columns(sums.BQ);
+  result.majorizer.topLeftCorner<3, 3>() = symmetric(sums.B);
+  result.majorizer.topRightCorner<3, 3>() = -BQ;
+  result.majorizer.bottomLeftCorner<3, 3>() = -BQ.transpose();
+  result.majorizer.bottomRightCorner<3, 3>() = symmetric(sums.QBQ);
   return result;
 }
 
 }  // namespace
 
-void Objective::build(const PointCloud& fixed, const PointsByX& by_x, std::size_t count,
+void Objective::build(const PointCloud& fixed, const PointsByDepth& by_depth, std::size_t count,
                       const KernelOptions& kernel, double length_scale) {
   kernel_ = kernel;
   length_scale_ = length_scale;
-  grid_.build(fixed, by_x, count, (1 + kSkin) * support_radius(kernel, length_scale));
+  grid_.build(fixed, by_depth, count, (1 + kSkin) * support_radius(kernel, length_scale));
 }
 
 void Objective::build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale) {
-  PointsByX by_x;
-  by_x.sort(fixed);
-  build(fixed, by_x, fixed.size(), kernel, length_scale);
+  PointsByDepth by_depth;
+  by_depth.sort(fixed);
+  build(fixed, by_depth, fixed.size(), kernel, length_scale);
 }
 
 double squared_norm(const NeighborGrid& grid, const PointCloud& cloud, const KernelOptions& kernel,
@@ -122,7 +120,7 @@ ObjectiveValue PoseObjective::evaluate(const SE3& T_fixed_moving) {
   });
   PairSums total;
   for (const PairSums& part : parts) add(part, total);
-  return assemble(total, objective_.length_scale());
+  return assemble(total);
 }
 
 }  // namespace cvo_slam

@@ -23,9 +23,10 @@ struct ObjectiveValue {
   double value = 0;
   double inner_product = 0;  ///< F = sum w
   Vector6 gradient = Vector6::Zero();
-  /// The negative Hessian: sum J^T (w / ell^2 I - w / ell^4 r r^T) J and the curvature of exp.
+  /// The negative Hessian: sum J^T (w / ell^2 P - w / ell^4 p p^T) J and the curvature of exp, with
+  /// P = I and p = r where the kernel is a ball (PairSums).
   Matrix6 hessian = Matrix6::Zero();
-  /// The Hessian of the majorising least squares, sum w / ell^2 J^T J: always semi-definite.
+  /// The Hessian of the majorising least squares, sum w / ell^2 J^T P J: always semi-definite.
   Matrix6 majorizer = Matrix6::Zero();
   std::size_t matched = 0;  ///< moving points with a fixed point inside the support
 };
@@ -33,8 +34,8 @@ struct ObjectiveValue {
 /// One fixed cloud at one length scale.
 class Objective {
  public:
-  /// Takes the first `count` points of `fixed`; `by_x` holds all of them.
-  void build(const PointCloud& fixed, const PointsByX& by_x, std::size_t count,
+  /// Takes the first `count` points of `fixed`; `by_depth` holds all of them.
+  void build(const PointCloud& fixed, const PointsByDepth& by_depth, std::size_t count,
              const KernelOptions& kernel, double length_scale);
   void build(const PointCloud& fixed, const KernelOptions& kernel, double length_scale);
 

@@ -11,6 +11,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cvo_slam/frontend/pair_sums.cc"
 #include <bit>
+#include <cmath>
 
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
@@ -22,20 +23,40 @@ HWY_BEFORE_NAMESPACE();
 namespace cvo_slam::HWY_NAMESPACE {
 namespace {
 
-/// Calls visit(k, inside, x, d2) for each vector of grid points with any within `reach` of q.
+/// Where the kernel of a point reaches: a ball, or an ellipsoid that is longer along a =
+/// sqrt(alpha) d (zero for a ball).
+struct Reach {
+  Reach(const Vector3& ray, double radius)
+      : a{broadcast(ray.x()), broadcast(ray.y()), broadcast(ray.z())},
+        along(ray.cast<float>()),
+        radius2(broadcast(radius * radius)) {
+    const double alpha = ray.squaredNorm();
+    if (alpha > 0) along /= static_cast<float>(std::sqrt(alpha));
+    stretch = static_cast<float>(1 / std::sqrt(1 - alpha));
+  }
+  Point a;
+  Eigen::Array3f along;
+  float stretch = 1;
+  Floats radius2;
+};
+
+/// Calls visit(k, inside, x, d2) for each vector of grid points with any within reach of q; d2 is
+/// r^T (I - a a^T) r.
 template <typename Visit>
 HWY_INLINE void for_each_neighbor(const NeighborGrid& grid, const Vector3& position, const Point& q,
-                                  Floats reach2, const Visit& visit) {
+                                  const Reach& reach, const Visit& visit) {
   std::array<GridRun, NeighborGrid::kMaxRuns> runs;
-  const std::size_t count =
-      grid.query(static_cast<float>(position.x()), static_cast<float>(position.y()),
-                 static_cast<float>(position.z()), runs);
+  const Eigen::Array3f center = position.cast<float>();
+  const std::size_t count = reach.stretch > 1
+                                ? grid.query(center, reach.along, reach.stretch, runs)
+                                : grid.query(center.x(), center.y(), center.z(), runs);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = runs[i].begin; k < runs[i].end; k += hn::Lanes(kTag)) {
       const Point x = load_position(grid.points(), k);
       const Point r = x - q;
-      const Floats d2 = dot(r, r);
-      const auto inside = hn::And(hn::FirstN(kTag, runs[i].end - k), hn::Lt(d2, reach2));
+      const Floats ar = dot(reach.a, r);
+      const Floats d2 = hn::NegMulAdd(ar, ar, dot(r, r));
+      const auto inside = hn::And(hn::FirstN(kTag, runs[i].end - k), hn::Lt(d2, reach.radius2));
       if (!hn::AllFalse(kTag, inside)) visit(k, inside, x, d2);
     }
   }
@@ -50,17 +71,18 @@ void reserve(NeighborLists& lists, std::size_t more) {
 
 template <ColorKernel kColor>
 void find_all(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-              const KernelOptions& kernel, std::size_t begin, std::size_t end,
+              const KernelOptions& kernel, double length_scale, std::size_t begin, std::size_t end,
               NeighborLists& lists) {
   const Constants constants(kernel);
-  const Floats reach2 = broadcast(grid.radius() * grid.radius());
   lists.used = 0;
   lists.count.resize(end - begin);
   for (std::size_t j = begin; j < end; ++j) {
     const Vector3 position = T_fixed_moving * moving.position(j);
     const MovedPoint point(moving, j, position);
     const std::size_t first = lists.used;
-    for_each_neighbor(grid, position, point.q, reach2,
+    const Reach reach(T_fixed_moving.rotation() * kernel_ray(moving, j, kernel, length_scale),
+                      grid.radius());
+    for_each_neighbor(grid, position, point.q, reach,
                       [&](std::size_t k, auto inside, const Point& x, Floats) HWY_ATTR {
                         reserve(lists, hn::Lanes(kTag));
                         const Floats c = label_products<kColor>(constants, grid.points(), k, point);
@@ -83,13 +105,14 @@ double inner_products(const NeighborGrid& grid, const PointCloud& moving,
                       const KernelOptions& kernel, double length_scale, std::size_t begin,
                       std::size_t end) {
   const Constants constants(kernel, length_scale);
-  const double reach = support_radius(kernel, length_scale);
+  const double radius = support_radius(kernel, length_scale);
   double total = 0;
   for (std::size_t j = begin; j < end; ++j) {
     const Vector3 position = moving.position(j);
     const MovedPoint point(moving, j, position);
     Floats sum = hn::Zero(kTag);
-    for_each_neighbor(grid, position, point.q, broadcast(reach * reach),
+    const Reach reach(kernel_ray(moving, j, kernel, length_scale), radius);
+    for_each_neighbor(grid, position, point.q, reach,
                       [&](std::size_t k, auto inside, const Point&, Floats d2) HWY_ATTR {
                         const Floats c = label_products<kColor>(constants, grid.points(), k, point);
                         sum = hn::Add(sum, hn::IfThenElseZero(inside, hn::Mul(c, constants.k(d2))));
@@ -115,8 +138,10 @@ HWY_INLINE Point load(const Positions& from, std::size_t lane) {
           hn::Load(kTag, from.z.data() + lane)};
 }
 
+template <bool kRays>
 HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* begin,
-                             const PairTable::Row* end, std::size_t lane, const Point& q) {
+                             const PairTable::Row* end, std::size_t lane, const Point& q,
+                             const Point& a) {
   const Floats zero = hn::Zero(kTag);
   const Floats one = hn::Set(kTag, 1.0F);
   Floats matched = zero;
@@ -132,8 +157,13 @@ HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* b
   Floats yz = zero;
   Floats zz = zero;
   for (const PairTable::Row* row = begin; row != end; ++row) {
-    const Point r = load(*row, lane) - q;
-    const Floats k = constants.k(dot(r, r));
+    const Point d = load(*row, lane) - q;
+    Point r = d;
+    if constexpr (kRays) {
+      const Floats ad = dot(a, d);
+      r = {hn::NegMulAdd(a.x, ad, d.x), hn::NegMulAdd(a.y, ad, d.y), hn::NegMulAdd(a.z, ad, d.z)};
+    }
+    const Floats k = constants.k(dot(d, r));
     const auto inside = hn::Gt(k, constants.threshold);
     const Floats c = hn::IfThenElseZero(inside, hn::Load(kTag, row->c.data() + lane));
     matched = hn::IfThenElse(inside, one, matched);
@@ -156,40 +186,27 @@ HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* b
   return {matched, value, w_sum, {x, y, z}, {xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
 }
 
-/// Adds the moving points of a vector to the totals, in the order of PairSums.
-HWY_INLINE void add_points(const LaneSums& sums, const Point& q, Floats inv2, PairTotals& totals) {
-  const auto scaled = [](const Point& p, Floats f) HWY_ATTR {
-    return Point{hn::Mul(p.x, f), hn::Mul(p.y, f), hn::Mul(p.z, f)};
-  };
-  const Floats inv4 = hn::Mul(inv2, inv2);
-  const Floats w = hn::Mul(sums.w, inv2);
-  const Point s = scaled(sums.r, inv2);
-  // Columns (or rows) of the symmetric A.
-  const Point ax{hn::NegMulAdd(inv4, sums.rx.x, w), hn::Mul(hn::Neg(inv4), sums.rx.y),
-                 hn::Mul(hn::Neg(inv4), sums.rx.z)};
-  const Point ay{ax.y, hn::NegMulAdd(inv4, sums.ry.y, w), hn::Mul(hn::Neg(inv4), sums.ry.z)};
-  const Point az{ax.z, ay.z, hn::NegMulAdd(inv4, sums.rz.z, w)};
-  // Row a of A q^ is a x q; column b of -q^ (A q^) is -(q x column b).
-  const Point rx = cross(ax, q);
-  const Point ry = cross(ay, q);
-  const Point rz = cross(az, q);
+/// Columns (or rows) of a symmetric matrix.
+struct Symmetric {
+  Point x, y, z;
+};
+
+/// Adds a symmetric matrix M of each point, M q^ by columns, and -q^ M q^.
+HWY_INLINE void add_quadratic(const Symmetric& m, const Point& q, PairTotals& totals) {
+  // Row a of M q^ is a x q; column b of -q^ (M q^) is -(q x column b).
+  const Point rx = cross(m.x, q);
+  const Point ry = cross(m.y, q);
+  const Point rz = cross(m.z, q);
   const Point bx{rx.x, ry.x, rz.x};
   const Point by{rx.y, ry.y, rz.y};
   const Point bz{rx.z, ry.z, rz.z};
   const Point qx = cross(bx, q);
   const Point qy = cross(by, q);
   const Point qz = cross(bz, q);
-
-  totals.rewind();
-  totals.add(sums.value);
-  totals.add(sums.w);
-  totals.add(sums.matched);
-  totals.add(s);
-  totals.add(cross(q, s));
-  totals.add(ax);
-  totals.add(ay.y);
-  totals.add(ay.z);
-  totals.add(az.z);
+  totals.add(m.x);
+  totals.add(m.y.y);
+  totals.add(m.y.z);
+  totals.add(m.z.z);
   totals.add(bx);
   totals.add(by);
   totals.add(bz);
@@ -197,19 +214,50 @@ HWY_INLINE void add_points(const LaneSums& sums, const Point& q, Floats inv2, Pa
   totals.add(qy.y);
   totals.add(qy.z);
   totals.add(qz.z);
+}
+
+/// Adds the moving points of a vector to the totals, in the order of PairSums.
+HWY_INLINE void add_points(const LaneSums& sums, const Point& q, const Point& a, Floats inv2,
+                           PairTotals& totals) {
+  const auto scaled = [](const Point& p, Floats f) HWY_ATTR {
+    return Point{hn::Mul(p.x, f), hn::Mul(p.y, f), hn::Mul(p.z, f)};
+  };
+  const Floats inv4 = hn::Mul(inv2, inv2);
+  const Floats w = hn::Mul(sums.w, inv2);
+  const Point s = scaled(sums.r, inv2);
+  const Point wa = scaled(a, w);
+  const Point bx{hn::NegMulAdd(wa.x, a.x, w), hn::Neg(hn::Mul(wa.x, a.y)),
+                 hn::Neg(hn::Mul(wa.x, a.z))};
+  const Point by{bx.y, hn::NegMulAdd(wa.y, a.y, w), hn::Neg(hn::Mul(wa.y, a.z))};
+  const Symmetric b{bx, by, {bx.z, by.z, hn::NegMulAdd(wa.z, a.z, w)}};
+  const Point ax{hn::NegMulAdd(inv4, sums.rx.x, b.x.x), hn::NegMulAdd(inv4, sums.rx.y, b.x.y),
+                 hn::NegMulAdd(inv4, sums.rx.z, b.x.z)};
+  const Point ay{ax.y, hn::NegMulAdd(inv4, sums.ry.y, b.y.y),
+                 hn::NegMulAdd(inv4, sums.ry.z, b.y.z)};
+  const Symmetric curvature{ax, ay, {ax.z, ay.z, hn::NegMulAdd(inv4, sums.rz.z, b.z.z)}};
+
+  totals.rewind();
+  totals.add(sums.value);
+  totals.add(sums.w);
+  totals.add(sums.matched);
+  totals.add(s);
+  totals.add(cross(q, s));
+  add_quadratic(curvature, q, totals);
   totals.add(scaled(s, q.x));
   totals.add(scaled(s, q.y));
   totals.add(scaled(s, q.z));
-  const Point wq = scaled(q, sums.w);
-  totals.add(wq);
-  totals.add(scaled(q, wq.x));
-  totals.add(hn::Mul(q.y, wq.y));
-  totals.add(hn::Mul(q.y, wq.z));
-  totals.add(hn::Mul(q.z, wq.z));
+  add_quadratic(b, q, totals);
 }
 
-PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
-                   double length_scale, std::size_t begin, std::size_t end) {
+/// The rays of a group from a lane on.
+HWY_INLINE Point load_rays(const PairTable::Group& group, std::size_t lane) {
+  return {hn::Load(kTag, group.ax.data() + lane), hn::Load(kTag, group.ay.data() + lane),
+          hn::Load(kTag, group.az.data() + lane)};
+}
+
+template <bool kRays>
+PairSums sum_groups(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
+                    double length_scale, std::size_t begin, std::size_t end) {
   const Constants constants(kernel, length_scale);
   const Floats inv2 = broadcast(1 / (length_scale * length_scale));
   const Motion motion(T_fixed_moving);
@@ -218,12 +266,19 @@ PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const Kern
     const PairTable::Group& group = table.groups()[g];
     for (std::size_t lane = 0; lane < PairTable::kLanes; lane += hn::Lanes(kTag)) {
       const Point q = motion * load(group, lane);
-      const LaneSums sums = sum_rows(constants, table.rows().data() + group.row_begin,
-                                     table.rows().data() + group.row_end, lane, q);
-      add_points(sums, q, inv2, totals);
+      const Point a = load_rays(group, lane);
+      const LaneSums sums = sum_rows<kRays>(constants, table.rows().data() + group.row_begin,
+                                            table.rows().data() + group.row_end, lane, q, a);
+      add_points(sums, q, a, inv2, totals);
     }
   }
   return std::bit_cast<PairSums>(totals.reduce());
+}
+
+PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
+                   double length_scale, std::size_t begin, std::size_t end) {
+  const auto sum = table.has_rays() ? sum_groups<true> : sum_groups<false>;
+  return sum(table, T_fixed_moving, kernel, length_scale, begin, end);
 }
 
 /// Broadcasts a vector that is the same for all points.
@@ -302,12 +357,12 @@ std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_m
 }
 
 void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-                    const KernelOptions& kernel, std::size_t begin, std::size_t end,
-                    NeighborLists& lists) {
+                    const KernelOptions& kernel, double length_scale, std::size_t begin,
+                    std::size_t end, NeighborLists& lists) {
   const auto find = kernel.color_kernel == ColorKernel::kLinear
                         ? find_all<ColorKernel::kLinear>
                         : find_all<ColorKernel::kSquaredExponential>;
-  find(grid, moving, T_fixed_moving, kernel, begin, end, lists);
+  find(grid, moving, T_fixed_moving, kernel, length_scale, begin, end, lists);
 }
 
 double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
@@ -341,6 +396,16 @@ HWY_EXPORT(sum_inner_products);
 HWY_EXPORT(simd_exp);
 HWY_EXPORT(target);
 
+Vector3 kernel_ray(const PointCloud& cloud, std::size_t j, const KernelOptions& kernel,
+                   double length_scale) {
+  if (kernel.ray_noise == 0 || cloud.ray_noise.empty()) return Vector3::Zero();
+  const double noise = kernel.ray_noise * static_cast<double>(cloud.ray_noise[j]);
+  const Vector3 position = cloud.position(j);
+  const double length = position.norm();
+  if (!(length > 0 && noise > 0)) return Vector3::Zero();
+  return position / length * (noise / std::hypot(length_scale, noise));
+}
+
 PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
                    double length_scale, std::size_t begin, std::size_t end) {
   return HWY_DYNAMIC_DISPATCH(sum_pairs)(table, T_fixed_moving, kernel, length_scale, begin, end);
@@ -353,9 +418,10 @@ std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_m
 }
 
 void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-                    const KernelOptions& kernel, std::size_t begin, std::size_t end,
-                    NeighborLists& lists) {
-  HWY_DYNAMIC_DISPATCH(find_neighbors)(grid, moving, T_fixed_moving, kernel, begin, end, lists);
+                    const KernelOptions& kernel, double length_scale, std::size_t begin,
+                    std::size_t end, NeighborLists& lists) {
+  HWY_DYNAMIC_DISPATCH(find_neighbors)
+  (grid, moving, T_fixed_moving, kernel, length_scale, begin, end, lists);
 }
 
 double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,

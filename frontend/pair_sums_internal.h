@@ -17,8 +17,9 @@
 namespace cvo_slam {
 
 /// Sums over the pairs of a table that are inside the kernel's support, with moved points
-/// q_j = T z_j, r = x_i - q_j, w = c k, s_j = sum_i w r / ell^2 and
-/// A_j = sum_i (w / ell^2 I - w / ell^4 r r^T): all that the objective's derivatives need.
+/// q_j = T z_j, r = x_i - q_j, w = c k, p = P_j r with P_j = I - a a^T (kernel_ray(); I for a
+/// kernel that is a ball), s_j = sum_i w p / ell^2 and A_j = sum_i (w / ell^2 P - w / ell^4 p p^T):
+/// all that the objective's derivatives need. k = sigma^2 exp(-r^T p / (2 ell^2)).
 struct PairSums {
   double value = 0;    ///< sum c (k - sparsification)
   double w = 0;        ///< sum w
@@ -29,9 +30,14 @@ struct PairSums {
   std::array<double, 9> AQ{};   ///< A q^, by columns
   std::array<double, 6> QAQ{};  ///< -q^ A q^: xx, xy, xz, yy, yz, zz
   std::array<double, 9> sq{};   ///< s q^T, by columns
-  std::array<double, 3> wq{};   ///< w q
-  std::array<double, 6> wqq{};  ///< w q q^T: xx, xy, xz, yy, yz, zz
+  std::array<double, 6> B{};    ///< w P / ell^2 with P = I - a a^T: xx, xy, xz, yy, yz, zz
+  std::array<double, 9> BQ{};   ///< B q^, by columns
+  std::array<double, 6> QBQ{};  ///< -q^ B q^: xx, xy, xz, yy, yz, zz
 };
+
+/// Returns a = sqrt(alpha) d of a point in its own frame; zero without noise.
+[[nodiscard]] Vector3 kernel_ray(const PointCloud& cloud, std::size_t j,
+                                 const KernelOptions& kernel, double length_scale);
 
 /// Sums the groups [begin, end) of a table at a pose, in single precision within a moving point and
 /// in double precision across points. The instruction set is chosen at run time; the order of the
@@ -53,8 +59,8 @@ std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_m
 /// Lists the grid's points within its radius of each of the moving points [begin, end), moved by
 /// T_fixed_moving.
 void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-                    const KernelOptions& kernel, std::size_t begin, std::size_t end,
-                    NeighborLists& lists);
+                    const KernelOptions& kernel, double length_scale, std::size_t begin,
+                    std::size_t end, NeighborLists& lists);
 
 /// Returns sum_ij c k over the moving points [begin, end), at the identity, and the grid's points.
 double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,

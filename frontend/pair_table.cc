@@ -20,10 +20,12 @@ void PairTable::build(const NeighborGrid& grid, const PointCloud& moving, std::s
                       const Executor& executor) {
   lists_.resize(std::max(lists_.size(), Executor::chunk_count(count, kChunk)));
   executor.for_each_chunk(count, kChunk, [&](std::size_t k, std::size_t begin, std::size_t end) {
-    find_neighbors(grid, moving, T_fixed_moving, kernel, begin, end, lists_[k]);
+    find_neighbors(grid, moving, T_fixed_moving, kernel, length_scale, begin, end, lists_[k]);
   });
   group_by_count(count);
-  fill(moving);
+  T_fixed_moving_ = T_fixed_moving;
+  has_rays_ = kernel.ray_noise > 0 && !moving.ray_noise.empty();
+  fill(moving, kernel, length_scale);
 
   double max_range2 = 0;
   for (std::size_t j = 0; j < count; ++j) {
@@ -31,7 +33,6 @@ void PairTable::build(const NeighborGrid& grid, const PointCloud& moving, std::s
   }
   max_range_ = std::sqrt(max_range2);
   skin_ = grid.radius() - support_radius(kernel, length_scale);
-  T_fixed_moving_ = T_fixed_moving;
   built_ = true;
 }
 
@@ -64,7 +65,7 @@ void PairTable::group_by_count(std::size_t count) {
   order_.resize(with_neighbors);
 }
 
-void PairTable::fill(const PointCloud& moving) {
+void PairTable::fill(const PointCloud& moving, const KernelOptions& kernel, double length_scale) {
   groups_.resize(Executor::chunk_count(order_.size(), kLanes));
   std::size_t rows_used = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -82,12 +83,20 @@ void PairTable::fill(const PointCloud& moving) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       std::size_t n = 0;
       group.x[lane] = group.y[lane] = group.z[lane] = 0;
+      group.ax[lane] = group.ay[lane] = group.az[lane] = 0;
       if (lane < points) {
         const std::size_t j = order_[g * kLanes + lane];
         const NeighborLists& lists = lists_[j / kChunk];
         group.x[lane] = moving.x[j];
         group.y[lane] = moving.y[j];
         group.z[lane] = moving.z[j];
+        if (has_rays_) {
+          const Vector3 a =
+              T_fixed_moving_.rotation() * kernel_ray(moving, j, kernel, length_scale);
+          group.ax[lane] = static_cast<float>(a.x());
+          group.ay[lane] = static_cast<float>(a.y());
+          group.az[lane] = static_cast<float>(a.z());
+        }
         const std::size_t begin = list_begin_[j];
         for (; n < lists.count[j % kChunk]; ++n) {
           rows[n].x[lane] = lists.x[begin + n];

@@ -43,6 +43,11 @@ class PairTable {
     Lanes x;  ///< positions of the moving points, in their own frame [m]
     Lanes y;
     Lanes z;
+    /// a = sqrt(alpha) d of the points in the fixed frame: d the ray's direction, alpha =
+    /// noise^2 / (ell^2 + noise^2). The kernel's precision is (I - a a^T) / ell^2.
+    Lanes ax;
+    Lanes ay;
+    Lanes az;
     std::size_t row_begin;
     std::size_t row_end;
   };
@@ -59,12 +64,14 @@ class PairTable {
   /// Returns true if no pair inside the support at this pose is missing.
   [[nodiscard]] bool covers(const SE3& T_fixed_moving) const;
 
+  /// Returns true if the kernels are longer along the rays.
+  [[nodiscard]] bool has_rays() const { return has_rays_; }
   [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
  private:
   void group_by_count(std::size_t count);
-  void fill(const PointCloud& moving);
+  void fill(const PointCloud& moving, const KernelOptions& kernel, double length_scale);
 
   std::vector<NeighborLists> lists_;       // one a chunk of moving points
   std::vector<std::uint32_t> order_;       // moving points, those with most neighbours first
@@ -73,6 +80,7 @@ class PairTable {
   std::vector<Group> groups_;
   std::vector<Row> rows_;
   bool built_ = false;
+  bool has_rays_ = false;
   SE3 T_fixed_moving_;
   double skin_ = 0;       // a pose that moves no point further than this is covered [m]
   double max_range_ = 0;  // of the moved points [m]

@@ -235,6 +235,7 @@ void PointSelector::select(const PreparedFrame& frame, int count, const SE3& T_c
                            PointCloud& cloud) {
   const DepthLookup lookup(frame.images.depth, camera_, rays_, T_color_depth, options_);
   cloud.clear();
+  cloud.ray_noise.clear();
   std::fill(next_.begin(), next_.end(), std::uint8_t{0});
   const auto wanted = static_cast<std::size_t>(count);
   bool any_left = true;
@@ -245,7 +246,10 @@ void PointSelector::select(const PreparedFrame& frame, int count, const SE3& T_c
       while (!point && next_[bucket] < frame.counts[bucket] && cloud.size() < wanted) {
         const PixelCandidate& pixel = frame.candidates[bucket * kBucketSize + next_[bucket]++];
         point = lookup.point(pixel.u, pixel.v);
-        if (point) append(frame, pixel, *point, cloud);
+        if (!point) continue;
+        append(frame, pixel, *point, cloud);
+        cloud.ray_noise.push_back(
+            static_cast<float>(camera_.noise.sigma_z(point->z()) * point->norm() / point->z()));
       }
       any_left = any_left || point;
     }

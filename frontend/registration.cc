@@ -22,7 +22,7 @@ struct Registration::Impl {
   double fixed_squared_norm = 0;  // at the last level
   PairTable pairs;                // memory
   NeighborGrid moving_grid;       // memory
-  PointsByX by_x;                 // memory
+  PointsByDepth by_depth;         // memory
 
   /// The list's last entry holds for all levels after it.
   [[nodiscard]] int max_iterations(std::size_t level) const {
@@ -124,6 +124,11 @@ void check_consistency(const RegistrationOptions& options) {
                     "take a smaller one",
                     options.kernel.sparsification, peak));
   }
+  if (options.solver == Solver::kFlow && options.kernel.ray_noise > 0) {
+    throw OptionError(
+        fmt::format("kernel.ray_noise={} is for the solver newton; take 0 for the gradient flow",
+                    options.kernel.ray_noise));
+  }
   check(options.flow);
 }
 
@@ -137,10 +142,11 @@ Registration& Registration::operator=(Registration&&) noexcept = default;
 
 void Registration::Impl::set_fixed(const PointCloud& fixed) {
   const auto& scales = options.length_scales;
-  by_x.sort(fixed);
+  by_depth.sort(fixed);
   levels.resize(scales.size());
   for (std::size_t level = 0; level < scales.size(); ++level) {
-    levels[level].build(fixed, by_x, points_at(level, fixed.size()), options.kernel, scales[level]);
+    levels[level].build(fixed, by_depth, points_at(level, fixed.size()), options.kernel,
+                        scales[level]);
   }
   const Objective& finest = levels.back();
   fixed_squared_norm =
@@ -203,8 +209,8 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
   result.objective = state.value.value;
   result.overlap = static_cast<double>(state.value.matched) / static_cast<double>(moving.size());
   const Objective& finest = levels.back();
-  by_x.sort(moving);
-  moving_grid.build(moving, by_x, moving.size(),
+  by_depth.sort(moving);
+  moving_grid.build(moving, by_depth, moving.size(),
                     support_radius(finest.kernel(), finest.length_scale()));
   const double moving_squared_norm =
       squared_norm(moving_grid, moving, finest.kernel(), finest.length_scale(), executor);

@@ -30,6 +30,9 @@ struct KernelOptions {
   ColorKernel color_kernel = ColorKernel::kSquaredExponential;
   double color_scale = 60.0;     ///< s_c, on 8-bit values
   double gradient_scale = 60.0;  ///< s_g, on 8-bit values a pixel
+  /// Factor on PointCloud::ray_noise of the moving points. The kernel is longer along a point's ray
+  /// d: its covariance is ell^2 I + (factor noise)^2 d d^T. 0 = the kernel is a ball.
+  double ray_noise = 0;
 };
 
 /// Returns the distance beyond which the sparsified kernel is zero [m].

@@ -28,7 +28,8 @@ struct DatasetOptions {
   /// sequence's own; its paths are relative to the folder of the sequence.
   std::optional<std::filesystem::path> associations = std::nullopt;
   /// The depth offset to use in place of the camera's (Camera::depth_offset) [s], at most a
-  /// million. Images are paired by the stamps with it.
+  /// million. Images are paired by the stamps with it. If it is not 0, every colour image takes its
+  /// nearest depth image, which two may share; else no image is in two frames.
   std::optional<double> depth_offset = std::nullopt;
 };
 

@@ -31,7 +31,7 @@ struct FramePairMotion {
 
 /// Returns the frames whose stamp has a pose.
 [[nodiscard]] std::vector<LocatedFrame> posed_frames(const std::vector<Timestamp>& stamps,
-                                                   const std::vector<StampedPose>& poses);
+                                                     const std::vector<StampedPose>& poses);
 
 /// Returns a few pairs spread over the frames, each as far apart as its images overlap well.
 [[nodiscard]] std::vector<FramePairMotion> choose_pairs(const std::vector<LocatedFrame>& frames);

@@ -15,15 +15,8 @@ namespace {
 
 /// Every prefix of a selected cloud is spread over the image (PointSelector).
 PointCloud first_points(const PointCloud& cloud, int count) {
-  const auto n =
-      static_cast<std::ptrdiff_t>(std::min(cloud.size(), static_cast<std::size_t>(count)));
-  const auto head = [n](const std::vector<float>& v) {
-    return std::vector<float>(v.begin(), v.begin() + n);
-  };
-  PointCloud result{head(cloud.x), head(cloud.y), head(cloud.z), {}, head(cloud.u), head(cloud.v)};
-  for (std::size_t i = 0; i < PointCloud::kFeatures; ++i) {
-    result.features[i] = head(cloud.features[i]);
-  }
+  PointCloud result = cloud;
+  result.resize(std::min(cloud.size(), static_cast<std::size_t>(count)));
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <tuple>
@@ -169,6 +170,25 @@ std::vector<Timestamp> image_stamps(const std::vector<StampedFile>& images) {
   return stamps;
 }
 
+/// Returns each of `a` with its nearest of `b`, which several may share, if they differ by at most
+/// `max_difference` [s].
+std::vector<std::pair<std::size_t, std::size_t>> nearest_stamps(const std::vector<Timestamp>& a,
+                                                                const std::vector<Timestamp>& b,
+                                                                double max_difference) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto after = std::lower_bound(b.begin(), b.end(), a[i]);
+    auto nearest = after == b.end() ? std::prev(after) : after;
+    if (after != b.begin() && after != b.end() &&
+        seconds_between(*std::prev(after), a[i]) <= seconds_between(a[i], *after)) {
+      nearest = std::prev(after);
+    }
+    if (std::fabs(seconds_between(a[i], *nearest)) > max_difference) continue;
+    pairs.emplace_back(i, static_cast<std::size_t>(nearest - b.begin()));
+  }
+  return pairs;
+}
+
 Timestamp shifted(const Timestamp& stamp, double seconds) {
   if (seconds == 0) return stamp;
   return Timestamp(stamp.nanoseconds() + std::llround(seconds * 1e9), Timestamp::kMaxDecimals);
@@ -194,8 +214,9 @@ Sequence open_two_lists(const Path& folder, const PairingOptions& options) {
   const auto depths = read_image_list(folder / "depth.txt", sequence.notes);
   std::vector<Timestamp> depth_stamps = image_stamps(depths);
   for (Timestamp& stamp : depth_stamps) stamp = shifted(stamp, options.depth_offset);
+  const auto pair = options.depth_offset == 0 ? associate_stamps : nearest_stamps;
   for (const auto& [i, j] :
-       associate_stamps(image_stamps(colors), depth_stamps, options.max_stamp_difference)) {
+       pair(image_stamps(colors), depth_stamps, options.max_stamp_difference)) {
     sequence.frames.push_back({colors[i].stamp, depths[j].stamp, colors[i].file, depths[j].file});
   }
   if (sequence.frames.empty()) {
@@ -205,8 +226,9 @@ Sequence open_two_lists(const Path& folder, const PairingOptions& options) {
                             options.max_stamp_difference, colors.front().stamp.to_string(),
                             depths.front().stamp.to_string()));
   }
-  sequence.unpaired = {colors.size() - sequence.frames.size(),
-                       depths.size() - sequence.frames.size()};
+  std::set<Path> used;
+  for (const FrameFiles& frame : sequence.frames) used.insert(frame.depth);
+  sequence.unpaired = {colors.size() - sequence.frames.size(), depths.size() - used.size()};
   return sequence;
 }
 

@@ -75,6 +75,43 @@ TEST(NeighborGrid, FindsEveryPointWithinTheRadius) {
   }
 }
 
+TEST(NeighborGrid, FindsEveryPointWithinAnEllipsoid) {
+  const PointCloud cloud = random_cloud(3000, 11);
+  constexpr double kRadius = 0.06;
+  NeighborGrid grid;
+  grid.build(cloud, kRadius);
+  std::mt19937 rng(12);
+  std::uniform_real_distribution<double> place(-0.7, 0.7);
+  int near = 0;
+  std::size_t found_in_all = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Vector3 at(place(rng), place(rng), 1.5 + place(rng));
+    // As rays are: most go along z, the widest at 60 degrees to it.
+    const Vector3 along = Vector3(2.5 * place(rng), 2.5 * place(rng), 1).normalized();
+    const double stretch = 1 + 3 * std::abs(place(rng));
+    std::array<GridRun, NeighborGrid::kMaxRuns> runs{};
+    const std::size_t count =
+        grid.query(at.cast<float>(), along.cast<float>(), static_cast<float>(stretch), runs);
+    std::set<std::uint32_t> found;
+    for (std::size_t r = 0; r < count; ++r) {
+      for (std::uint32_t k = runs[r].begin; k < runs[r].end; ++k) {
+        EXPECT_TRUE(found.insert(grid.order()[k]).second) << "in two runs";
+      }
+    }
+    found_in_all += found.size();
+    for (std::uint32_t p = 0; p < cloud.size(); ++p) {
+      const Vector3 r = cloud.position(p) - at;
+      const double t = r.dot(along);
+      const double across2 = r.squaredNorm() - t * t;
+      if (across2 + t * t / (stretch * stretch) > std::pow(kRadius - kRounding, 2)) continue;
+      ++near;
+      EXPECT_TRUE(found.contains(p)) << at.transpose();
+    }
+  }
+  EXPECT_GT(near, 400);
+  EXPECT_LT(found_in_all, 20U * static_cast<unsigned>(near)) << "not much more than it must";
+}
+
 TEST(NeighborGrid, OrderIsAPermutationThatTheSortedPointsFollow) {
   const PointCloud cloud = random_cloud(500, 3);
   NeighborGrid grid;

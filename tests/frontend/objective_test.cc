@@ -104,6 +104,44 @@ TEST_P(ObjectiveDerivatives, MajorizerBoundsTheHessian) {
 INSTANTIATE_TEST_SUITE_P(ColorKernels, ObjectiveDerivatives,
                          testing::Values(ColorKernel::kLinear, ColorKernel::kSquaredExponential));
 
+TEST(ObjectiveAlongRays, DerivativesMatchNumericDifferentiation) {
+  KernelOptions kernel = smooth_kernel(ColorKernel::kSquaredExponential);
+  kernel.ray_noise = 1;
+  const PointCloud fixed = random_cloud(60, 1);
+  PointCloud moving = random_cloud(50, 2);
+  moving.ray_noise.assign(moving.size(), 0.2F);
+  const SE3 T = motion(0.05, -0.03, 0.02, 0.1, -0.05, 0.2);
+  // The rays are those of the pose T, also near it.
+  const auto f = [&](const SE3& pose) {
+    double sum = 0;
+    for (std::size_t j = 0; j < moving.size(); ++j) {
+      const Vector3 d = T.rotation() * moving.position(j).normalized();
+      const Matrix3 covariance = kScale * kScale * Matrix3::Identity() + 0.04 * d * d.transpose();
+      for (std::size_t i = 0; i < fixed.size(); ++i) {
+        const Vector3 r = fixed.position(i) - pose * moving.position(j);
+        sum += label_product(kernel, fixed, i, moving, j) * kernel.sigma * kernel.sigma *
+               std::exp(-0.5 * r.dot(covariance.inverse() * r));
+      }
+    }
+    return sum;
+  };
+  Objective objective;
+  objective.build(fixed, kernel, kScale);
+  const auto value = evaluate(objective, moving, T);
+  EXPECT_NEAR(value.inner_product, f(T), 1e-5 * f(T));
+  constexpr double kStep = 1e-5;
+  for (int k = 0; k < 6; ++k) {
+    const Vector6 d = kStep * Vector6::Unit(k);
+    const double numeric = (f(SE3::exp(d) * T) - f(SE3::exp(-d) * T)) / (2 * kStep);
+    EXPECT_NEAR(value.gradient[k], numeric, 1e-5 * f(T) / kScale) << k;
+  }
+  const Matrix6 numeric = numeric_hessian([&](const Vector6& d) { return f(SE3::exp(d) * T); });
+  EXPECT_LT((value.hessian + numeric).norm(), 1e-4 * numeric.norm());
+  const Matrix6 difference = value.majorizer - value.hessian;
+  EXPECT_TRUE(value.majorizer.isApprox(value.majorizer.transpose(), 1e-9));
+  EXPECT_GT(difference.trace(), 0);
+}
+
 TEST(Objective, IsContinuousWhereTheThresholdCuts) {
   // The inner product jumps by the threshold where a pair leaves the support; `value` must not.
   PointCloud point = random_cloud(1, 3);

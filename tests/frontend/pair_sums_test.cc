@@ -48,24 +48,39 @@ void add(const PairSums& part, bool absolute, PairSums& total) {
   total = std::bit_cast<PairSums>(sum);
 }
 
+/// Returns ell^2 times the precision of the kernel of a moving point, in the frame of the fixed
+/// cloud as it was when the neighbours were searched.
+Matrix3 precision(const PointCloud& moving, std::size_t j, const SE3& T_searched,
+                  const KernelOptions& kernel) {
+  if (moving.ray_noise.empty()) return Matrix3::Identity();
+  const Vector3 d = T_searched.rotation() * moving.position(j).normalized();
+  const double noise = kernel.ray_noise * static_cast<double>(moving.ray_noise[j]);
+  const Matrix3 covariance =
+      kScale * kScale * Matrix3::Identity() + noise * noise * d * d.transpose();
+  return kScale * kScale * covariance.inverse();
+}
+
 ExactSums exact_sums(const PointCloud& fixed, const PointCloud& moving, const SE3& T,
-                     const KernelOptions& kernel) {
+                     const KernelOptions& kernel, const SE3& T_searched) {
   const double inv2 = 1 / (kScale * kScale);
   ExactSums result;
   for (std::size_t j = 0; j < moving.size(); ++j) {
     const Vector3 q = T * moving.position(j);
+    const Matrix3 P = precision(moving, j, T_searched, kernel);
     bool matched = false;
     for (std::size_t i = 0; i < fixed.size(); ++i) {
       const Vector3 r = fixed.position(i) - q;
-      const double k = kernel.sigma * kernel.sigma * std::exp(-r.squaredNorm() * inv2 / 2);
+      const Vector3 p = P * r;
+      const double k = kernel.sigma * kernel.sigma * std::exp(-r.dot(p) * inv2 / 2);
       result.nearest_to_threshold =
           std::min(result.nearest_to_threshold, std::abs(k / kernel.sparsification - 1));
       if (!(k > kernel.sparsification)) continue;
       matched = true;
       const double c = label_product(kernel, fixed, i, moving, j);
       const double w = c * k;
-      const Vector3 s = inv2 * w * r;
-      const Matrix3 A = inv2 * w * Matrix3::Identity() - inv2 * inv2 * w * r * r.transpose();
+      const Vector3 s = inv2 * w * p;
+      const Matrix3 B = inv2 * w * P;
+      const Matrix3 A = B - inv2 * inv2 * w * p * p.transpose();
       const Matrix3 Q = skew(q);
       const PairSums pair{.value = c * (k - kernel.sparsification),
                           .w = w,
@@ -76,14 +91,20 @@ ExactSums exact_sums(const PointCloud& fixed, const PointCloud& moving, const SE
                           .AQ = columns(A * Q),
                           .QAQ = upper(-Q * A * Q),
                           .sq = columns(s * q.transpose()),
-                          .wq = array(w * q),
-                          .wqq = upper(w * q * q.transpose())};
+                          .B = upper(B),
+                          .BQ = columns(B * Q),
+                          .QBQ = upper(-Q * B * Q)};
       add(pair, false, result.sum);
       add(pair, true, result.magnitude);
     }
     if (matched) result.sum.matched += 1;
   }
   return result;
+}
+
+ExactSums exact_sums(const PointCloud& fixed, const PointCloud& moving, const SE3& T,
+                     const KernelOptions& kernel) {
+  return exact_sums(fixed, moving, T, kernel, T);
 }
 
 /// Single precision knows a position near 2 m to 1.2e-7 m and r to twice that, so at the rim of the
@@ -136,6 +157,40 @@ TEST_P(PairSumsTest, MatchTheSumsOverAllPairs) {
   const PairSums result = sums(table(fixed, moving, T_), T_);
   expect_near(result, exact_sums(fixed, moving, T_, kernel_));
   EXPECT_GT(result.matched, 150);
+}
+
+/// A cloud whose points have noise along their rays, from a fifth of the length scale to twice it.
+PointCloud noisy_cloud(std::size_t n, unsigned seed) {
+  PointCloud cloud = random_cloud(n, seed);
+  for (std::size_t j = 0; j < n; ++j) {
+    cloud.ray_noise.push_back(
+        static_cast<float>(kScale * (0.2 + 0.18 * static_cast<double>(j % 11))));
+  }
+  return cloud;
+}
+
+TEST_P(PairSumsTest, OfKernelsAlongTheRaysMatchTheSumsOverAllPairs) {
+  kernel_.ray_noise = 0.8;
+  const PointCloud fixed = random_cloud(700, 1);
+  const PointCloud moving = noisy_cloud(150, 2);
+  const PairTable pairs = table(fixed, moving, T_);
+  const PairSums result = sums(pairs, T_);
+  expect_near(result, exact_sums(fixed, moving, T_, kernel_));
+  EXPECT_GT(result.value, 1.2 * sums(table(fixed, random_cloud(150, 2), T_), T_).value);
+  // A pose near by: the rays stay as they were when the neighbours were searched.
+  const SE3 near = T_ * motion(0.02, 0, 0.01, 0, 0.01, 0);
+  ASSERT_TRUE(pairs.covers(near));
+  expect_near(sums(pairs, near), exact_sums(fixed, moving, near, kernel_, T_));
+}
+
+TEST_P(PairSumsTest, TheNormOfACloudUsesTheKernelsOfItsPoints) {
+  kernel_.ray_noise = 0.8;
+  const PointCloud cloud = noisy_cloud(200, 6);
+  NeighborGrid grid;
+  grid.build(cloud, support_radius(kernel_, kScale));
+  const auto exact = exact_sums(cloud, cloud, SE3(), kernel_);
+  EXPECT_NEAR(sum_inner_products(grid, cloud, kernel_, kScale, 0, cloud.size()), exact.sum.w,
+              1e-4 * exact.sum.w);
 }
 
 TEST_P(PairSumsTest, AreRightForAnyNumberOfPointsAndNeighbours) {

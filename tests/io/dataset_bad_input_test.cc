@@ -125,6 +125,21 @@ TEST(OpenDataset, TheOffsetOfTheCameraPairsToo) {
   EXPECT_EQ(open_dataset(sequence.path(), options)->size(), 2);
 }
 
+TEST(OpenDataset, WithAnOffsetTwoColourImagesMayShareADepthImage) {
+  const TinySequence sequence;
+  sequence.write_tum();
+  sequence.write("rgb.txt", "0.00 rgb/0.png\n0.01 rgb/1.png\n");
+  DatasetOptions options;
+  options.camera = tiny_camera();
+  EXPECT_EQ(open_dataset(sequence.path(), options)->size(), 1U);
+  options.depth_offset = 0.001;
+  const auto data = open_dataset(sequence.path(), options);
+  ASSERT_EQ(data->size(), 2U);
+  EXPECT_EQ(data->depth_stamp(0), data->depth_stamp(1));
+  EXPECT_EQ(data->unpaired().color, 0U);
+  EXPECT_EQ(data->unpaired().depth, 1U);
+}
+
 TEST(OpenDataset, AnOffsetPairsAnewInSpiteOfAListOfPairs) {
   const TinySequence sequence;
   sequence.write_tum();
