@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "cvo_slam/frontend/neighbor_search_internal.h"
 #include "cvo_slam/frontend/objective_internal.h"
 #include "cvo_slam/frontend/pair_sums_internal.h"
 

@@ -35,10 +35,6 @@ struct PairSums {
   std::array<double, 6> QBQ{};  ///< -q^ B q^: xx, xy, xz, yy, yz, zz
 };
 
-/// Returns a = sqrt(alpha) d of a point in its own frame; zero without noise.
-[[nodiscard]] Vector3 kernel_ray(const PointCloud& cloud, std::size_t j,
-                                 const KernelOptions& kernel, double length_scale);
-
 /// Sums the groups [begin, end) of a table at a pose, in single precision within a moving point and
 /// in double precision across points. The instruction set is chosen at run time; the order of the
 /// sums depends on its vector width alone.
@@ -55,17 +51,6 @@ PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const Kern
 std::array<double, 4> sum_expansion(const PairTable& table, const SE3& T_fixed_moving,
                                     const KernelOptions& kernel, double length_scale,
                                     const Vector3& omega, const Vector3& v);
-
-/// Lists the grid's points within its radius of each of the moving points [begin, end), moved by
-/// T_fixed_moving.
-void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
-                    const KernelOptions& kernel, double length_scale, std::size_t begin,
-                    std::size_t end, NeighborLists& lists);
-
-/// Returns sum_ij c k over the moving points [begin, end), at the identity, and the grid's points.
-double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
-                          const KernelOptions& kernel, double length_scale, std::size_t begin,
-                          std::size_t end);
 
 /// Return Highway's bits of the instruction sets that these functions are compiled for, and of the
 /// one in use.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cvo_slam/frontend/pair_sums_internal.h"
+#include "cvo_slam/frontend/neighbor_search_internal.h"
 #include "cvo_slam/frontend/pair_table_internal.h"
 
 namespace cvo_slam {

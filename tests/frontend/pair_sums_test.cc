@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "cvo_slam/frontend/neighbor_search_internal.h"
 #include "cvo_slam/frontend/pair_sums_internal.h"
 #include "cvo_slam/tests/frontend/test_clouds.h"
 
