@@ -14,10 +14,13 @@ command -v snakemake > /dev/null || {
   echo "run_suite.sh: snakemake is missing; install the packages of bench/suite/packages.txt" >&2
   exit 1
 }
-snakemake -s bench/suite/Snakefile --cores all --quiet "$@"
-for kind in csv json; do cp "build/suite/suite.$kind" "docs/results/suite.$kind"; done
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+snakemake -s bench/suite/Snakefile --cores all --quiet "$@" > "$log"
+made=$(sed -n 's/^suite: wrote \(.*\)\.md$/\1/p' "$log")
+for kind in csv json; do cp "$made.$kind" "docs/results/suite.$kind"; done
 {
   begin_page 'Accuracy and its spread' 'make suite' 'The figures are also in suite.csv and suite.json.'
   echo
-  cat build/suite/suite.md
+  cat "$made.md"
 } > docs/results/suite.md
