@@ -33,7 +33,7 @@ void apply_setting(const OptionSet& options, const std::string& setting,
 
 /// Returns the frames that "a:b", "a:", ":b" or "a:b:step" names in a sequence of `size` frames; an
 /// empty text means all. Throws OptionError if the text is malformed or names no frame.
-[[nodiscard]] FrameRange parse_frames(const std::string& text, std::size_t size);
+[[nodiscard]] FrameRange parse_frames(const std::string& frames, std::size_t size);
 
 /// Returns the size that "<width>x<height>" names. Throws OptionError, with `example` as a correct
 /// text, if it is malformed.

@@ -19,6 +19,7 @@ namespace {
 using cv::rgbd::OdometryFrame;
 
 cv::Mat camera_matrix(const PinholeCamera& camera) {
+  // NOLINTNEXTLINE(modernize-return-braced-init-list): this is OpenCV's way to fill a matrix.
   return (cv::Mat_<double>(3, 3) << camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
 }
 

@@ -10,6 +10,7 @@
 #include "cvo_slam/apps/loop_pictures.h"
 #include "cvo_slam/apps/page/run_page.h"
 #include "cvo_slam/apps/report_json.h"
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/trajectory_files.h"

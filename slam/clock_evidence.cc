@@ -179,7 +179,10 @@ class Pair {
       point = depth * camera_.ray(u + du, v + dv);
       return std::fabs(depth - z) < kLargestStep * z;
     };
-    Vector3 left, right, up, down;
+    Vector3 left;
+    Vector3 right;
+    Vector3 up;
+    Vector3 down;
     if (!neighbour(-kReach, 0, left) || !neighbour(kReach, 0, right) ||
         !neighbour(0, -kReach, up) || !neighbour(0, kReach, down)) {
       return std::nullopt;
@@ -189,7 +192,10 @@ class Pair {
 
   /// Finds the affine change of brightness between the two images.
   void match_brightness() {
-    cv::Scalar mean_fixed, mean_moving, deviation_fixed, deviation_moving;
+    cv::Scalar mean_fixed;
+    cv::Scalar mean_moving;
+    cv::Scalar deviation_fixed;
+    cv::Scalar deviation_moving;
     cv::meanStdDev(fixed_.grey, mean_fixed, deviation_fixed);
     cv::meanStdDev(moving_.grey, mean_moving, deviation_moving);
     constexpr double kLeast = 1;  // [grey levels]

@@ -29,7 +29,8 @@ class ClockCamera {
   [[nodiscard]] const SensorNoise& noise() const { return noise_; }
   /// Returns the point (x/z, y/z, 1) of a pixel.
   [[nodiscard]] const Vector3& ray(int u, int v) const {
-    return rays_[static_cast<std::size_t>(v * pinhole_.width + u)];
+    return rays_[static_cast<std::size_t>(v) * static_cast<std::size_t>(pinhole_.width) +
+                 static_cast<std::size_t>(u)];
   }
   /// Returns the depth at a pixel [m]; 0 = none.
   [[nodiscard]] double depth_at(const cv::Mat& depth, int u, int v) const {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -48,10 +49,10 @@ struct ListedImage {
 };
 
 bool has_image_extension(std::string_view name) {
-  constexpr std::string_view kExtensions[] = {".png", ".jpg",  ".jpeg", ".pgm",  ".ppm",
-                                              ".tif", ".tiff", ".bmp",  ".webp", ".exr"};
+  constexpr std::array<std::string_view, 10> kExtensions = {
+      ".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".tif", ".tiff", ".bmp", ".webp", ".exr"};
   const std::string lower = to_lower(std::string(name));
-  return std::any_of(std::begin(kExtensions), std::end(kExtensions),
+  return std::any_of(kExtensions.begin(), kExtensions.end(),
                      [&](std::string_view extension) { return lower.ends_with(extension); });
 }
 
@@ -293,7 +294,8 @@ std::vector<std::pair<std::size_t, std::size_t>> associate_stamps(const std::vec
                                                                   double max_difference) {
   auto candidates = find_candidates(a, b, std::llround(max_difference * 1e9));
   std::sort(candidates.begin(), candidates.end());
-  std::vector<bool> a_taken(a.size()), b_taken(b.size());
+  std::vector<bool> a_taken(a.size());
+  std::vector<bool> b_taken(b.size());
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (const auto& [difference, i, j] : candidates) {
     if (a_taken[i] || b_taken[j]) continue;
