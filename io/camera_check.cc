@@ -99,7 +99,7 @@ void warn_of_pinhole(const PinholeCamera& camera, const std::string& name,
 }  // namespace
 
 std::vector<LocatedFrame> posed_frames(const std::vector<Timestamp>& stamps,
-                                     const std::vector<StampedPose>& poses) {
+                                       const std::vector<StampedPose>& poses) {
   std::vector<LocatedFrame> frames;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     const auto pose = interpolate_at(poses, stamps[i], kMaxPoseGap);

@@ -112,10 +112,9 @@ std::string title(const RunReport& report) {
   const FrameRange& range = report.range;
   std::string frames = fmt::format("frames {} to {}", range.begin, range.end - 1);
   if (range.step != 1) frames += fmt::format(", one in {}", range.step);
-  const auto line =
-      fmt::format("{} · mode {} · {} · camera {} ({}) · depth offset {}", report.data.kind(),
-                  report.mode, frames, report.data.camera().name, report.data.camera_origin(),
-                  report.clock.text());
+  const auto line = fmt::format("{} · mode {} · {} · camera {} ({}) · depth offset {}",
+                                report.data.kind(), report.mode, frames, report.data.camera().name,
+                                report.data.camera_origin(), report.clock.text());
   return html::element(
       "header", html::element("h1", html::escaped(report.data.name())) + html::paragraph(line));
 }
