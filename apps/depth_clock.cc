@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/depth_clock.h"
 
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>

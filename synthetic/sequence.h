@@ -21,7 +21,7 @@ enum class ImageFormat { kPng, kJpeg };
 struct SequenceOptions {
   std::string scene = "room";  ///< a name of world_names(), or a world file (*.yaml)
   std::uint32_t seed = 1;      ///< seed of textures, clutter, tremor and sensor
-  /// Seed of another walk through the same world (WorldOptions); empty = `seed`.
+  /// Seed of another walk through the same world (WorldOptions); empty = the path as it is.
   std::optional<std::uint32_t> path_seed = std::nullopt;
   std::optional<PathStyle> path = std::nullopt;  ///< empty = the world's own path
   double speed = 1;                              ///< 2 = the same path in half the time

@@ -54,7 +54,7 @@ World world_of(const std::string& name, std::uint32_t seed) {
 
 namespace {
 
-/// Makes a plan that of another walk along the same way.
+/// Turns a plan into that of another walk along the same way.
 void vary(PathPlan& plan, std::uint32_t seed) {
   constexpr double kPosition = 0.1;  // [m]
   constexpr double kTarget = 0.2;    // [m]
