@@ -29,13 +29,17 @@ class DepthLookup {
         moved_(T_color_depth.log().norm() > 0),
         options_(options) {}
 
+  struct Point {
+    Vector3 position;       ///< at the colour image's time [m]
+    cv::Point depth_pixel;  ///< that its depth is from
+  };
   /// Returns the point seen at colour pixel (u, v); empty if it has no depth to be trusted.
-  [[nodiscard]] std::optional<Vector3> point(int u, int v) const {
+  [[nodiscard]] std::optional<Point> point(int u, int v) const {
     const std::size_t pixel = 2 * static_cast<std::size_t>(v * depth_.cols + u);
     const Vector3 ray(rays_[pixel], rays_[pixel + 1], 1);
     if (!moved_) {
       if (!trusted(u, v)) return std::nullopt;
-      return depth_at(u, v) * ray;
+      return Point{depth_at(u, v) * ray, {u, v}};
     }
 
     // The depth image was taken from elsewhere: search where it saw this ray. Depth changes little
@@ -43,6 +47,7 @@ class DepthLookup {
     constexpr int kIterations = 3;
     double z = depth_at(u, v);
     if (z <= 0) return std::nullopt;
+    cv::Point nearest;
     for (int i = 0; i < kIterations; ++i) {
       const Vector3 expected = T_depth_color_ * (z * ray);
       if (expected.z() <= 0) return std::nullopt;
@@ -53,13 +58,13 @@ class DepthLookup {
             seen.y() < depth_.rows - 1 - border)) {
         return std::nullopt;
       }
-      const int du = cvRound(seen.x());
-      const int dv = cvRound(seen.y());
-      const double measured = depth_at(du, dv);
-      if (measured <= 0 || (i + 1 == kIterations && !trusted(du, dv))) return std::nullopt;
+      nearest = {cvRound(seen.x()), cvRound(seen.y())};
+      const double measured = depth_at(nearest.x, nearest.y);
+      const bool is_last = i + 1 == kIterations;
+      if (measured <= 0 || (is_last && !trusted(nearest.x, nearest.y))) return std::nullopt;
       z = (T_color_depth_ * (expected * (measured / expected.z()))).z();
     }
-    return z * ray;
+    return Point{z * ray, nearest};
   }
 
  private:

@@ -8,17 +8,8 @@
 
 namespace cvo_slam {
 
-double mean_precision(const PointCloud& cloud, double ell, double depth_noise) {
-  double sum = 0;
-  for (const float z : cloud.z) {
-    if (!std::isfinite(z)) continue;
-    const double sigma = depth_noise * z * z;
-    sum += ell * ell / (ell * ell + sigma * sigma);
-  }
-  return sum / static_cast<double>(cloud.size());
-}
-
-Matrix6 depth_covariance(const PointCloud& cloud, double depth_noise) {
+Matrix6 depth_covariance(const PointCloud& cloud, double factor) {
+  if (cloud.ray_noise.empty() || factor == 0) return Matrix6::Zero();
   Matrix3 along_rays = Matrix3::Zero();
   Matrix3 squares = Matrix3::Zero();  // sum p p^T
   Vector3 points = Vector3::Zero();   // sum p
@@ -26,8 +17,9 @@ Matrix6 depth_covariance(const PointCloud& cloud, double depth_noise) {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Vector3 p(cloud.x[i], cloud.y[i], cloud.z[i]);
     if (!p.allFinite()) continue;
-    const double share = depth_noise * p.z();  // sigma_z d = share p, also where z is 0
-    along_rays += share * share * p * p.transpose();
+    const double sigma = factor * static_cast<double>(cloud.ray_noise[i]);
+    const double distance2 = p.squaredNorm();
+    if (distance2 > 0) along_rays += sigma * sigma / distance2 * p * p.transpose();
     squares += p * p.transpose();
     points += p;
     ++count;

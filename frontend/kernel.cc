@@ -28,9 +28,13 @@ OptionSet describe(KernelOptions& o) {
            "Length scale of the squared exponential on the image gradient.")
       .add("ray_noise", o.ray_noise, {0, 100}, "",
            "Factor on the camera's depth noise, by which the kernel is longer along a point's ray "
-           "d: its covariance is ell^2 I + (factor noise)^2 d d^T. 0 = the kernel is a ball. Not "
-           "for "
-           "the solver flow.");
+           "d: its covariance is ell^2 I + (factor noise)^2 d d^T. 0 = it is not. The "
+           "solver flow takes balls.")
+      .add(
+          "surfaces", o.surfaces,
+          "Makes the kernel thin across the surface of a point where the depth is clean: a depth "
+          "of a millimetre's noise says more about the way to a wall than texture does. The solver "
+          "flow takes balls.");
 }
 
 double support_radius(const KernelOptions& options, double length_scale) {

@@ -38,6 +38,9 @@ void undo_rolling_shutter(const Vector6& velocity, double readout_time, int rows
     cloud.x[i] = static_cast<float>(q.x());
     cloud.y[i] = static_cast<float>(q.y());
     cloud.z[i] = static_cast<float>(q.z());
+    if (cloud.surfaces.empty()) continue;
+    const Vector3 n = cloud.surfaces[i].normal.cast<double>();
+    cloud.surfaces[i].normal = (n + dt * w.cross(n)).cast<float>();
   }
 }
 

@@ -10,6 +10,13 @@
 namespace cvo_slam {
 namespace {
 
+/// Returns the largest integer that is not above x, which must fit: std::floor() is a call for the
+/// oldest processors that the program is built for.
+std::int32_t floor_of(float x) {
+  const auto towards_zero = static_cast<std::int32_t>(x);
+  return towards_zero - (x < static_cast<float>(towards_zero) ? 1 : 0);
+}
+
 /// Largest number of columns. More cost more to clear than they save; wide clouds get wider
 /// columns.
 constexpr double kMaxColumns = 1 << 16;
@@ -139,9 +146,7 @@ bool NeighborGrid::is_near(const Eigen::Array3f& center) const {
 /// Adds the points of a column with z from `low` to `high`, and some others.
 void NeighborGrid::add_run(const Column& column, float low, float high,
                            std::array<GridRun, kMaxRuns>& runs, std::size_t& count) const {
-  const auto bin = [this](float z) {
-    return static_cast<std::int32_t>(std::floor((z - min_z_) * inverse_bin_));
-  };
+  const auto bin = [this](float z) { return floor_of((z - min_z_) * inverse_bin_); };
   const std::int32_t first = std::max(bin(low) - column.first_bin, 0);
   const std::int32_t last = std::min(bin(high) - column.first_bin + 1, column.bins);
   if (first >= last) return;
@@ -152,8 +157,8 @@ void NeighborGrid::add_run(const Column& column, float low, float high,
 std::size_t NeighborGrid::query(float x, float y, float z,
                                 std::array<GridRun, kMaxRuns>& runs) const {
   if (!is_near({x, y, z})) return 0;
-  const auto ix = static_cast<std::int64_t>(std::floor((x - min_x_) * inverse_width_));
-  const auto iy = static_cast<std::int64_t>(std::floor((y - min_y_) * inverse_width_));
+  const auto ix = std::int64_t{floor_of((x - min_x_) * inverse_width_)};
+  const auto iy = std::int64_t{floor_of((y - min_y_) * inverse_width_)};
   // Squared distance in x or y to the nearest side of a column.
   const auto gap2 = [&](float at, float min, std::int64_t own, std::int64_t column) {
     if (column == own) return 0.0F;
@@ -184,7 +189,7 @@ std::size_t NeighborGrid::query(const Eigen::Array3f& center, const Eigen::Array
   const Eigen::Array3f extent = radius * (1 + (stretch * stretch - 1) * along.square()).sqrt();
   const auto columns = [&](float at, float half, float min, std::int64_t last) {
     const auto index = [&](float value) {
-      return static_cast<std::int64_t>(std::floor((value - min) * inverse_width_));
+      return std::int64_t{floor_of((value - min) * inverse_width_)};
     };
     const std::int64_t own = index(at);
     return std::pair(std::max({index(at - half), own - kMaxSide / 2, std::int64_t{0}}),

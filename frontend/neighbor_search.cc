@@ -15,6 +15,7 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include "cvo_slam/frontend/kernel_shape_internal.h"
 #include "cvo_slam/frontend/neighbor_search_internal.h"
 #include "cvo_slam/frontend/simd_internal.h"
 
@@ -110,7 +111,7 @@ double inner_products(const NeighborGrid& grid, const PointCloud& moving,
     const Vector3 position = moving.position(j);
     const MovedPoint point(moving, j, position);
     Floats sum = hn::Zero(kTag);
-    const Reach reach(kernel_ray(moving, j, kernel, length_scale), radius);
+    const Reach reach(Vector3::Zero(), radius);
     for_each_neighbor(grid, position, point.q, reach,
                       [&](std::size_t k, auto inside, const Point&, Floats d2) HWY_ATTR {
                         const Floats c = label_products<kColor>(constants, grid.points(), k, point);
@@ -148,16 +149,6 @@ namespace cvo_slam {
 
 HWY_EXPORT(find_neighbors);
 HWY_EXPORT(sum_inner_products);
-
-Vector3 kernel_ray(const PointCloud& cloud, std::size_t j, const KernelOptions& kernel,
-                   double length_scale) {
-  if (kernel.ray_noise == 0 || cloud.ray_noise.empty()) return Vector3::Zero();
-  const double noise = kernel.ray_noise * static_cast<double>(cloud.ray_noise[j]);
-  const Vector3 position = cloud.position(j);
-  const double length = position.norm();
-  if (!(length > 0 && noise > 0)) return Vector3::Zero();
-  return position / length * (noise / std::hypot(length_scale, noise));
-}
 
 void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
                     const KernelOptions& kernel, double length_scale, std::size_t begin,

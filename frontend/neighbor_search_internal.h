@@ -12,17 +12,14 @@
 
 namespace cvo_slam {
 
-/// Returns a = sqrt(alpha) d of a point in its own frame; zero without noise.
-[[nodiscard]] Vector3 kernel_ray(const PointCloud& cloud, std::size_t j,
-                                 const KernelOptions& kernel, double length_scale);
-
 /// Lists the grid's points within its radius of each of the moving points [begin, end), moved by
 /// T_fixed_moving.
 void find_neighbors(const NeighborGrid& grid, const PointCloud& moving, const SE3& T_fixed_moving,
                     const KernelOptions& kernel, double length_scale, std::size_t begin,
                     std::size_t end, NeighborLists& lists);
 
-/// Returns sum_ij c k over the moving points [begin, end), at the identity, and the grid's points.
+/// Returns sum_ij c k over the moving points [begin, end), at the identity, and the grid's points;
+/// all kernels are balls.
 double sum_inner_products(const NeighborGrid& grid, const PointCloud& moving,
                           const KernelOptions& kernel, double length_scale, std::size_t begin,
                           std::size_t end);

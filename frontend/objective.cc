@@ -99,7 +99,10 @@ double squared_norm(const NeighborGrid& grid, const PointCloud& cloud, const Ker
 PoseObjective::PoseObjective(const Objective& objective, const PointCloud& moving,
                              std::size_t count, PairTable& pairs, const Executor& executor)
     : objective_(objective), moving_(moving), count_(count), pairs_(pairs), executor_(executor) {
-  pairs_.clear();
+  if (!pairs_.reuse(objective.grid(), moving, count, objective.kernel(),
+                    objective.length_scale())) {
+    pairs_.clear();
+  }
 }
 
 const PairTable& PoseObjective::pairs(const SE3& T_fixed_moving) {

@@ -58,8 +58,8 @@ class Objective {
 /// leaves the surroundings of the last search.
 class PoseObjective {
  public:
-  /// Uses the first `count` moving points. All arguments must outlive the object; `pairs` is memory
-  /// to use.
+  /// Uses the first `count` moving points. All arguments must outlive the object. `pairs` is memory
+  /// to use, and the pairs in it serve again if they can: clear() it before other clouds.
   PoseObjective(const Objective& objective, const PointCloud& moving, std::size_t count,
                 PairTable& pairs, const Executor& executor);
 

@@ -24,11 +24,16 @@ namespace {
 
 using PairTotals = Totals<sizeof(PairSums) / sizeof(double)>;
 
+/// Columns (or rows) of a symmetric matrix.
+struct Symmetric {
+  Point x, y, z;
+};
+
 /// The sums of several moving points, one a lane.
 struct LaneSums {
   Floats matched, value, w;
-  Point r;           ///< sum w r
-  Point rx, ry, rz;  ///< rows of sum w r r^T; ry.x, rz.x and rz.y are not needed
+  Point p;       ///< sum w p
+  Symmetric pp;  ///< sum w p p^T
 };
 
 /// Loads the positions of a row or group from a lane on.
@@ -38,10 +43,10 @@ HWY_INLINE Point load(const Positions& from, std::size_t lane) {
           hn::Load(kTag, from.z.data() + lane)};
 }
 
-template <bool kRays>
+template <bool kShaped>
 HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* begin,
                              const PairTable::Row* end, std::size_t lane, const Point& q,
-                             const Point& a) {
+                             const Symmetric& P) {
   const Floats zero = hn::Zero(kTag);
   const Floats one = hn::Set(kTag, 1.0F);
   Floats matched = zero;
@@ -57,39 +62,31 @@ HWY_INLINE LaneSums sum_rows(const Constants& constants, const PairTable::Row* b
   Floats yz = zero;
   Floats zz = zero;
   for (const PairTable::Row* row = begin; row != end; ++row) {
-    const Point d = load(*row, lane) - q;
-    Point r = d;
-    if constexpr (kRays) {
-      const Floats ad = dot(a, d);
-      r = {hn::NegMulAdd(a.x, ad, d.x), hn::NegMulAdd(a.y, ad, d.y), hn::NegMulAdd(a.z, ad, d.z)};
-    }
-    const Floats k = constants.k(dot(d, r));
+    const Point r = load(*row, lane) - q;
+    Point p = r;
+    if constexpr (kShaped) p = {dot(P.x, r), dot(P.y, r), dot(P.z, r)};
+    const Floats k = constants.k(dot(r, p));
     const auto inside = hn::Gt(k, constants.threshold);
     const Floats c = hn::IfThenElseZero(inside, hn::Load(kTag, row->c.data() + lane));
     matched = hn::IfThenElse(inside, one, matched);
     value = hn::MulAdd(c, hn::Sub(k, constants.threshold), value);
     const Floats w = hn::Mul(c, k);
     w_sum = hn::Add(w_sum, w);
-    const Floats wx = hn::Mul(w, r.x);
-    const Floats wy = hn::Mul(w, r.y);
-    const Floats wz = hn::Mul(w, r.z);
+    const Floats wx = hn::Mul(w, p.x);
+    const Floats wy = hn::Mul(w, p.y);
+    const Floats wz = hn::Mul(w, p.z);
     x = hn::Add(x, wx);
     y = hn::Add(y, wy);
     z = hn::Add(z, wz);
-    xx = hn::MulAdd(wx, r.x, xx);
-    xy = hn::MulAdd(wx, r.y, xy);
-    xz = hn::MulAdd(wx, r.z, xz);
-    yy = hn::MulAdd(wy, r.y, yy);
-    yz = hn::MulAdd(wy, r.z, yz);
-    zz = hn::MulAdd(wz, r.z, zz);
+    xx = hn::MulAdd(wx, p.x, xx);
+    xy = hn::MulAdd(wx, p.y, xy);
+    xz = hn::MulAdd(wx, p.z, xz);
+    yy = hn::MulAdd(wy, p.y, yy);
+    yz = hn::MulAdd(wy, p.z, yz);
+    zz = hn::MulAdd(wz, p.z, zz);
   }
-  return {matched, value, w_sum, {x, y, z}, {xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
+  return {matched, value, w_sum, {x, y, z}, {{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}};
 }
-
-/// Columns (or rows) of a symmetric matrix.
-struct Symmetric {
-  Point x, y, z;
-};
 
 /// Adds a symmetric matrix M of each point, M q^ by columns, and -q^ M q^.
 HWY_INLINE void add_quadratic(const Symmetric& m, const Point& q, PairTotals& totals) {
@@ -117,24 +114,20 @@ HWY_INLINE void add_quadratic(const Symmetric& m, const Point& q, PairTotals& to
 }
 
 /// Adds the moving points of a vector to the totals, in the order of PairSums.
-HWY_INLINE void add_points(const LaneSums& sums, const Point& q, const Point& a, Floats inv2,
+HWY_INLINE void add_points(const LaneSums& sums, const Point& q, const Symmetric& P, Floats inv2,
                            PairTotals& totals) {
   const auto scaled = [](const Point& p, Floats f) HWY_ATTR {
     return Point{hn::Mul(p.x, f), hn::Mul(p.y, f), hn::Mul(p.z, f)};
   };
   const Floats inv4 = hn::Mul(inv2, inv2);
   const Floats w = hn::Mul(sums.w, inv2);
-  const Point s = scaled(sums.r, inv2);
-  const Point wa = scaled(a, w);
-  const Point bx{hn::NegMulAdd(wa.x, a.x, w), hn::Neg(hn::Mul(wa.x, a.y)),
-                 hn::Neg(hn::Mul(wa.x, a.z))};
-  const Point by{bx.y, hn::NegMulAdd(wa.y, a.y, w), hn::Neg(hn::Mul(wa.y, a.z))};
-  const Symmetric b{bx, by, {bx.z, by.z, hn::NegMulAdd(wa.z, a.z, w)}};
-  const Point ax{hn::NegMulAdd(inv4, sums.rx.x, b.x.x), hn::NegMulAdd(inv4, sums.rx.y, b.x.y),
-                 hn::NegMulAdd(inv4, sums.rx.z, b.x.z)};
-  const Point ay{ax.y, hn::NegMulAdd(inv4, sums.ry.y, b.y.y),
-                 hn::NegMulAdd(inv4, sums.ry.z, b.y.z)};
-  const Symmetric curvature{ax, ay, {ax.z, ay.z, hn::NegMulAdd(inv4, sums.rz.z, b.z.z)}};
+  const Point s = scaled(sums.p, inv2);
+  const Symmetric b{scaled(P.x, w), scaled(P.y, w), scaled(P.z, w)};
+  const auto less = [&](const Point& from, const Point& pp) HWY_ATTR {
+    return Point{hn::NegMulAdd(inv4, pp.x, from.x), hn::NegMulAdd(inv4, pp.y, from.y),
+                 hn::NegMulAdd(inv4, pp.z, from.z)};
+  };
+  const Symmetric curvature{less(b.x, sums.pp.x), less(b.y, sums.pp.y), less(b.z, sums.pp.z)};
 
   totals.rewind();
   totals.add(sums.value);
@@ -149,13 +142,17 @@ HWY_INLINE void add_points(const LaneSums& sums, const Point& q, const Point& a,
   add_quadratic(b, q, totals);
 }
 
-/// The rays of a group from a lane on.
-HWY_INLINE Point load_rays(const PairTable::Group& group, std::size_t lane) {
-  return {hn::Load(kTag, group.ax.data() + lane), hn::Load(kTag, group.ay.data() + lane),
-          hn::Load(kTag, group.az.data() + lane)};
+/// P of a group's kernels from a lane on.
+HWY_INLINE Symmetric load_shapes(const PairTable::Group& group, std::size_t lane) {
+  const auto load = [&](std::size_t i)
+                        HWY_ATTR { return hn::Load(kTag, group.P[i].data() + lane); };
+  const Floats xy = load(1);
+  const Floats xz = load(2);
+  const Floats yz = load(4);
+  return {{load(0), xy, xz}, {xy, load(3), yz}, {xz, yz, load(5)}};
 }
 
-template <bool kRays>
+template <bool kShaped>
 PairSums sum_groups(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
                     double length_scale, std::size_t begin, std::size_t end) {
   const Constants constants(kernel, length_scale);
@@ -166,10 +163,10 @@ PairSums sum_groups(const PairTable& table, const SE3& T_fixed_moving, const Ker
     const PairTable::Group& group = table.groups()[g];
     for (std::size_t lane = 0; lane < PairTable::kLanes; lane += hn::Lanes(kTag)) {
       const Point q = motion * load(group, lane);
-      const Point a = load_rays(group, lane);
-      const LaneSums sums = sum_rows<kRays>(constants, table.rows().data() + group.row_begin,
-                                            table.rows().data() + group.row_end, lane, q, a);
-      add_points(sums, q, a, inv2, totals);
+      const Symmetric P = load_shapes(group, lane);
+      const LaneSums sums = sum_rows<kShaped>(constants, table.rows().data() + group.row_begin,
+                                              table.rows().data() + group.row_end, lane, q, P);
+      add_points(sums, q, P, inv2, totals);
     }
   }
   return std::bit_cast<PairSums>(totals.reduce());
@@ -177,7 +174,7 @@ PairSums sum_groups(const PairTable& table, const SE3& T_fixed_moving, const Ker
 
 PairSums sum_pairs(const PairTable& table, const SE3& T_fixed_moving, const KernelOptions& kernel,
                    double length_scale, std::size_t begin, std::size_t end) {
-  const auto sum = table.has_rays() ? sum_groups<true> : sum_groups<false>;
+  const auto sum = table.has_shapes() ? sum_groups<true> : sum_groups<false>;
   return sum(table, T_fixed_moving, kernel, length_scale, begin, end);
 }
 

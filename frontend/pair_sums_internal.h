@@ -17,9 +17,9 @@
 namespace cvo_slam {
 
 /// Sums over the pairs of a table that are inside the kernel's support, with moved points
-/// q_j = T z_j, r = x_i - q_j, w = c k, p = P_j r with P_j = I - a a^T (kernel_ray(); I for a
-/// kernel that is a ball), s_j = sum_i w p / ell^2 and A_j = sum_i (w / ell^2 P - w / ell^4 p p^T):
-/// all that the objective's derivatives need. k = sigma^2 exp(-r^T p / (2 ell^2)).
+/// q_j = T z_j, r = x_i - q_j, w = c k, p = P_j r (kernel_precision()), s_j = sum_i w p / ell^2 and
+/// A_j = sum_i (w / ell^2 P - w / ell^4 p p^T): all that the objective's derivatives need. k =
+/// sigma^2 exp(-r^T p / (2 ell^2)).
 struct PairSums {
   double value = 0;    ///< sum c (k - sparsification)
   double w = 0;        ///< sum w
@@ -30,7 +30,7 @@ struct PairSums {
   std::array<double, 9> AQ{};   ///< A q^, by columns
   std::array<double, 6> QAQ{};  ///< -q^ A q^: xx, xy, xz, yy, yz, zz
   std::array<double, 9> sq{};   ///< s q^T, by columns
-  std::array<double, 6> B{};    ///< w P / ell^2 with P = I - a a^T: xx, xy, xz, yy, yz, zz
+  std::array<double, 6> B{};    ///< w P / ell^2: xx, xy, xz, yy, yz, zz
   std::array<double, 9> BQ{};   ///< B q^, by columns
   std::array<double, 6> QBQ{};  ///< -q^ B q^: xx, xy, xz, yy, yz, zz
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cvo_slam/frontend/kernel_shape_internal.h"
 #include "cvo_slam/frontend/neighbor_search_internal.h"
 #include "cvo_slam/frontend/pair_table_internal.h"
 
@@ -24,16 +25,25 @@ void PairTable::build(const NeighborGrid& grid, const PointCloud& moving, std::s
   });
   group_by_count(count);
   T_fixed_moving_ = T_fixed_moving;
-  has_rays_ = kernel.ray_noise > 0 && !moving.ray_noise.empty();
-  fill(moving, kernel, length_scale);
-
-  double max_range2 = 0;
-  for (std::size_t j = 0; j < count; ++j) {
-    max_range2 = std::max(max_range2, moving.position(j).squaredNorm());
-  }
-  max_range_ = std::sqrt(max_range2);
-  skin_ = grid.radius() - support_radius(kernel, length_scale);
+  fixed_count_ = grid.size();
+  moving_count_ = count;
+  radius_ = grid.radius();
+  fill(moving);
+  set_points(moving, kernel, length_scale);
+  skin_ = radius_ - support_radius(kernel, length_scale);
   built_ = true;
+}
+
+bool PairTable::reuse(const NeighborGrid& grid, const PointCloud& moving, std::size_t count,
+                      const KernelOptions& kernel, double length_scale) {
+  // A wider table has more pairs that do not count: half as many again cost less than a search.
+  constexpr double kWidest = 1.25;
+  const double support = support_radius(kernel, length_scale);
+  const bool fits = built_ && fixed_count_ == grid.size() && moving_count_ == count &&
+                    radius_ >= support && radius_ <= kWidest * grid.radius();
+  if (!fits) return false;
+  skin_ = radius_ - support - set_points(moving, kernel, length_scale);
+  return true;
 }
 
 bool PairTable::covers(const SE3& T_fixed_moving) const {
@@ -65,7 +75,8 @@ void PairTable::group_by_count(std::size_t count) {
   order_.resize(with_neighbors);
 }
 
-void PairTable::fill(const PointCloud& moving, const KernelOptions& kernel, double length_scale) {
+/// Lays the pairs out.
+void PairTable::fill(const PointCloud& moving) {
   groups_.resize(Executor::chunk_count(order_.size(), kLanes));
   std::size_t rows_used = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -83,20 +94,12 @@ void PairTable::fill(const PointCloud& moving, const KernelOptions& kernel, doub
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       std::size_t n = 0;
       group.x[lane] = group.y[lane] = group.z[lane] = 0;
-      group.ax[lane] = group.ay[lane] = group.az[lane] = 0;
       if (lane < points) {
         const std::size_t j = order_[g * kLanes + lane];
         const NeighborLists& lists = lists_[j / kChunk];
         group.x[lane] = moving.x[j];
         group.y[lane] = moving.y[j];
         group.z[lane] = moving.z[j];
-        if (has_rays_) {
-          const Vector3 a =
-              T_fixed_moving_.rotation() * kernel_ray(moving, j, kernel, length_scale);
-          group.ax[lane] = static_cast<float>(a.x());
-          group.ay[lane] = static_cast<float>(a.y());
-          group.az[lane] = static_cast<float>(a.z());
-        }
         const std::size_t begin = list_begin_[j];
         for (; n < lists.count[j % kChunk]; ++n) {
           rows[n].x[lane] = lists.x[begin + n];
@@ -111,6 +114,43 @@ void PairTable::fill(const PointCloud& moving, const KernelOptions& kernel, doub
       }
     }
   }
+}
+
+/// Sets the places of the moving points and the shapes of their kernels; returns how far a point
+/// has moved since they were set last [m].
+double PairTable::set_points(const PointCloud& moving, const KernelOptions& kernel,
+                             double length_scale) {
+  constexpr std::array<float, 6> kBall = {1, 0, 0, 1, 0, 1};  // P
+  has_shapes_ = is_shaped(moving, kernel);
+  const Matrix3 rotation = T_fixed_moving_.rotation();
+  double farthest2 = 0;
+  double max_range2 = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    Group& group = groups_[g];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const bool is_point = g * kLanes + lane < order_.size();
+      std::array<float, 6> upper = kBall;
+      if (is_point) {
+        const std::size_t j = order_[g * kLanes + lane];
+        const Vector3 before(group.x[lane], group.y[lane], group.z[lane]);
+        farthest2 = std::max(farthest2, (moving.position(j) - before).squaredNorm());
+        max_range2 = std::max(max_range2, moving.position(j).squaredNorm());
+        group.x[lane] = moving.x[j];
+        group.y[lane] = moving.y[j];
+        group.z[lane] = moving.z[j];
+        if (has_shapes_) {
+          const Matrix3 P = kernel_precision(moving, j, rotation, kernel, length_scale);
+          const std::array<double, 6> entries = {P(0, 0), P(0, 1), P(0, 2),
+                                                 P(1, 1), P(1, 2), P(2, 2)};
+          std::transform(entries.begin(), entries.end(), upper.begin(),
+                         [](double x) { return static_cast<float>(x); });
+        }
+      }
+      for (std::size_t i = 0; i < upper.size(); ++i) group.P[i][lane] = upper[i];
+    }
+  }
+  max_range_ = std::sqrt(max_range2);
+  return std::sqrt(farthest2);
 }
 
 }  // namespace cvo_slam

@@ -43,11 +43,7 @@ class PairTable {
     Lanes x;  ///< positions of the moving points, in their own frame [m]
     Lanes y;
     Lanes z;
-    /// a = sqrt(alpha) d of the points in the fixed frame: d the ray's direction, alpha =
-    /// noise^2 / (ell^2 + noise^2). The kernel's precision is (I - a a^T) / ell^2.
-    Lanes ax;
-    Lanes ay;
-    Lanes az;
+    std::array<Lanes, 6> P;  ///< ell^2 times the kernels' precision: xx, xy, xz, yy, yz, zz
     std::size_t row_begin;
     std::size_t row_end;
   };
@@ -58,20 +54,26 @@ class PairTable {
   void build(const NeighborGrid& grid, const PointCloud& moving, std::size_t count,
              const SE3& T_fixed_moving, const KernelOptions& kernel, double length_scale,
              const Executor& executor);
+  /// Takes over the same clouds with another kernel; the moving points may have moved a little,
+  /// their labels may not have changed. Returns false if the table does not hold these numbers of
+  /// points, or if its radius is too small or much too large: it is as it was then.
+  [[nodiscard]] bool reuse(const NeighborGrid& grid, const PointCloud& moving, std::size_t count,
+                           const KernelOptions& kernel, double length_scale);
   /// Makes covers() false until the next build().
   void clear() { built_ = false; }
 
   /// Returns true if no pair inside the support at this pose is missing.
   [[nodiscard]] bool covers(const SE3& T_fixed_moving) const;
 
-  /// Returns true if the kernels are longer along the rays.
-  [[nodiscard]] bool has_rays() const { return has_rays_; }
+  /// Returns true if the kernels are not all balls.
+  [[nodiscard]] bool has_shapes() const { return has_shapes_; }
   [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
  private:
   void group_by_count(std::size_t count);
-  void fill(const PointCloud& moving, const KernelOptions& kernel, double length_scale);
+  void fill(const PointCloud& moving);
+  double set_points(const PointCloud& moving, const KernelOptions& kernel, double length_scale);
 
   std::vector<NeighborLists> lists_;       // one a chunk of moving points
   std::vector<std::uint32_t> order_;       // moving points, those with most neighbours first
@@ -80,7 +82,10 @@ class PairTable {
   std::vector<Group> groups_;
   std::vector<Row> rows_;
   bool built_ = false;
-  bool has_rays_ = false;
+  bool has_shapes_ = false;
+  std::size_t fixed_count_ = 0;
+  std::size_t moving_count_ = 0;
+  double radius_ = 0;  // within which neighbours were searched [m]
   SE3 T_fixed_moving_;
   double skin_ = 0;       // a pose that moves no point further than this is covered [m]
   double max_range_ = 0;  // of the moved points [m]

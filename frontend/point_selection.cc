@@ -13,6 +13,7 @@
 
 #include "cvo_slam/frontend/depth_lookup_internal.h"
 #include "cvo_slam/frontend/image_noise_internal.h"
+#include "cvo_slam/frontend/surface_fit_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -236,25 +237,30 @@ void PointSelector::select(const PreparedFrame& frame, int count, const SE3& T_c
   const DepthLookup lookup(frame.images.depth, camera_, rays_, T_color_depth, options_);
   cloud.clear();
   cloud.ray_noise.clear();
+  depth_pixels_.clear();
   std::fill(next_.begin(), next_.end(), std::uint8_t{0});
   const auto wanted = static_cast<std::size_t>(count);
   bool any_left = true;
   while (any_left && cloud.size() < wanted) {
     any_left = false;
     for (const std::uint32_t bucket : round_) {
-      std::optional<Vector3> point;
+      std::optional<DepthLookup::Point> point;
       while (!point && next_[bucket] < frame.counts[bucket] && cloud.size() < wanted) {
         const PixelCandidate& pixel = frame.candidates[bucket * kBucketSize + next_[bucket]++];
         point = lookup.point(pixel.u, pixel.v);
         if (!point) continue;
-        append(frame, pixel, *point, cloud);
+        const Vector3& p = point->position;
+        append(frame, pixel, p, cloud);
         cloud.ray_noise.push_back(
-            static_cast<float>(camera_.noise.sigma_z(point->z()) * point->norm() / point->z()));
+            static_cast<float>(camera_.noise.sigma_z(p.z()) * p.norm() / p.z()));
+        depth_pixels_.push_back(point->depth_pixel);
       }
       any_left = any_left || point;
     }
   }
   scale_colors(1 / frame.exposure_gain, cloud);
+  const SurfaceFit fit(frame.images.depth, camera_, rays_, options_.max_depth_step);
+  fit_surfaces(fit, depth_pixels_, T_color_depth, camera_.noise, cloud);
 }
 
 PointCloud select_points(const RgbdFrame& frame, const Camera& camera, int count,

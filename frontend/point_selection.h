@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
 
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/options.h"
@@ -82,10 +83,11 @@ class PointSelector {
   SelectionOptions options_;
   std::vector<float> rays_;  // x/z, y/z of each pixel
   int bucket_columns_ = 0;
-  std::vector<std::uint32_t> round_;  // order of the buckets within a round
-  cv::Mat grey_, edges_;              // memory of prepare()
-  std::vector<PixelCandidate> band_;  // the strongest pixel of each cell of a row; memory
-  std::vector<std::uint8_t> next_;    // next candidate of each bucket; memory of select()
+  std::vector<std::uint32_t> round_;     // order of the buckets within a round
+  cv::Mat grey_, edges_;                 // memory of prepare()
+  std::vector<PixelCandidate> band_;     // the strongest pixel of each cell of a row; memory
+  std::vector<std::uint8_t> next_;       // next candidate of each bucket; memory of select()
+  std::vector<cv::Point> depth_pixels_;  // that the points' depths are from; memory of select()
 };
 
 /// Selects the points of a single frame; see PointSelector.

@@ -11,6 +11,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/depth_uncertainty_internal.h"
+#include "cvo_slam/frontend/kernel_shape_internal.h"
 #include "cvo_slam/frontend/solvers_internal.h"
 
 namespace cvo_slam {
@@ -18,8 +19,10 @@ namespace cvo_slam {
 struct Registration::Impl {
   RegistrationOptions options;
   Executor executor;
-  std::vector<Objective> levels;  // the fixed cloud at each length scale, coarse to fine
-  double fixed_squared_norm = 0;  // at the last level
+  std::vector<double> scales;     // length scales in use, coarse to fine
+  std::vector<Objective> levels;  // the fixed cloud at each of them; there may be more, unused
+  Objective judged;               // the fixed cloud at the judged length scale, with balls
+  double fixed_squared_norm = 0;  // of `judged`
   PairTable pairs;                // memory
   NeighborGrid moving_grid;       // memory
   PointsByDepth by_depth;         // memory
@@ -31,8 +34,12 @@ struct Registration::Impl {
 
   /// Returns how many of a cloud's points a level uses.
   [[nodiscard]] std::size_t points_at(std::size_t level, std::size_t size) const {
-    const auto coarser = static_cast<double>(options.length_scales.size() - 1 - level);
-    const double share = std::pow(options.coarser_share, coarser);
+    constexpr double kLeastShare = 0.125;  // fewer lead nowhere
+    constexpr double kAlike = 1.25;        // length scales that differ by less share their pairs
+    const double ratio = scales[level] / scales.back();
+    const double share =
+        ratio < kAlike ? 1.0
+                       : std::max(kLeastShare, std::pow(options.coarser_share, std::log2(ratio)));
     return static_cast<std::size_t>(std::ceil(share * static_cast<double>(size)));
   }
 
@@ -41,10 +48,16 @@ struct Registration::Impl {
   LevelResult run_level(std::size_t level, const PointCloud& moving, const SE3& T_init);
   Approach approach(const PointCloud& moving, const SE3& T_init, int skip);
   RegistrationResult refine(const PointCloud& moving, const Approach& start);
-  RegistrationResult assess(const PointCloud& moving, const LevelResult& state);
+  ObjectiveValue judge(const PointCloud& moving, const LevelResult& state);
+  RegistrationResult assess(const PointCloud& moving, const LevelResult& state,
+                            const ObjectiveValue& seen);
 };
 
 namespace {
+
+/// Noise of a depth over its square below which depth is clean [1/m]: a renderer's, or an average
+/// of many images.
+constexpr double kCleanNoise = 1e-4;
 
 RegistrationResult failed(const SE3& T, const std::string& reason) {
   RegistrationResult result;
@@ -81,6 +94,10 @@ bool is_undetermined(const ObjectiveValue& value) {
 RegistrationOptions checked_options(RegistrationOptions options) {
   describe(options).check();
   check_consistency(options);
+  if (options.solver == Solver::kFlow) {  // the paper's flow is derived for balls
+    options.kernel.ray_noise = 0;
+    options.kernel.surfaces = false;
+  }
   return options;
 }
 
@@ -97,23 +114,30 @@ OptionSet describe(RegistrationOptions& o) {
            "Solver: newton finds the same maximum as the paper's flow in a fraction of the "
            "iterations.")
       .add("kernel", describe(o.kernel))
+      .add("clean_length_scales", o.clean_length_scales, {1e-4, 10}, "m",
+           "Finer length scales that follow where the depth is clean: its noise is below 0.1 mm at "
+           "1 m and grows with the square of the depth.")
+      .add("judged_length_scale", o.judged_length_scale, {1e-4, 10}, "m",
+           "Length scale at which overlap and cos_theta are measured, whatever the kernel; the "
+           "finest one if that is longer.")
       .add("max_iterations", o.max_iterations, {1, 10000}, "",
            "Largest number of iterations at each length scale; the last entry also holds for those "
            "after it.")
       .add("coarser_share", o.coarser_share, {0.05, 1}, "",
-           "Share of the points of the next finer length scale that a length scale uses: twice as "
-           "wide a kernel reaches four times the points of a surface.")
+           "Share of the points that a length scale twice the finest uses; four times, the square "
+           "of "
+           "it, down to an eighth: twice as wide a kernel reaches four times the points of a "
+           "surface.")
       .add("tolerance", o.tolerance, {0, 1}, "m and rad",
            "A Newton step that is shorter in translation and in rotation ends a length scale.")
       .add("coarse_tolerance", o.coarse_tolerance, {0, 10}, "",
            "The tolerance of a coarse length scale, as a share of the next length scale.")
-      .add("depth_noise", o.depth_noise, {0, 1}, "1/m",
-           "Standard deviation of a depth z over z^2, for the covariance: twice a Kinect's, "
-           "as its noise is correlated and both clouds have it.")
+      .add("depth_noise", o.depth_noise, {0, 100}, "",
+           "Factor on the camera's depth noise, for the covariance: both clouds have it, and "
+           "neighbouring points share some of it.")
       .add("information_scale", o.information_scale, {1e-6, 1e6}, "",
            "Factor of the information before the depth noise, calibrated with depth_noise on "
-           "synthetic rooms with "
-           "a Kinect's noise; see docs/theory/tracking.md.");
+           "synthetic worlds; see docs/theory/tracking.md.");
 }
 
 void check_consistency(const RegistrationOptions& options) {
@@ -124,40 +148,47 @@ void check_consistency(const RegistrationOptions& options) {
                     "take a smaller one",
                     options.kernel.sparsification, peak));
   }
-  if (options.solver == Solver::kFlow && options.kernel.ray_noise > 0) {
-    throw OptionError(
-        fmt::format("kernel.ray_noise={} is for the solver newton; take 0 for the gradient flow",
-                    options.kernel.ray_noise));
-  }
   check(options.flow);
 }
 
 Registration::Registration(const RegistrationOptions& options, int threads)
     : impl_(std::make_unique<Impl>(
-          Impl{checked_options(options), Executor(threads), {}, 0, {}, {}, {}})) {}
+          Impl{checked_options(options), Executor(threads), {}, {}, {}, 0, {}, {}, {}})) {}
 
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;
 Registration& Registration::operator=(Registration&&) noexcept = default;
 
 void Registration::Impl::set_fixed(const PointCloud& fixed) {
-  const auto& scales = options.length_scales;
+  scales = options.length_scales;
+  if (static_cast<double>(fixed.surface_noise) < kCleanNoise && options.kernel.surfaces) {
+    for (const double scale : options.clean_length_scales) {
+      if (scale < scales.back()) scales.push_back(scale);
+    }
+  }
+  pairs.clear();
   by_depth.sort(fixed);
-  levels.resize(scales.size());
+  levels.resize(std::max(levels.size(), scales.size()));
   for (std::size_t level = 0; level < scales.size(); ++level) {
     levels[level].build(fixed, by_depth, points_at(level, fixed.size()), options.kernel,
                         scales[level]);
   }
-  const Objective& finest = levels.back();
+  KernelOptions ball = options.kernel;
+  ball.ray_noise = 0;
+  ball.surfaces = false;
+  judged.build(fixed, by_depth, fixed.size(), ball,
+               std::max(options.judged_length_scale, scales.back()));
   fixed_squared_norm =
-      squared_norm(finest.grid(), fixed, finest.kernel(), finest.length_scale(), executor);
+      squared_norm(judged.grid(), fixed, judged.kernel(), judged.length_scale(), executor);
 }
 
 /// Returns when the search at a level ends. A coarse level need only lead well into the reach of
 /// the next one.
 StopRule Registration::Impl::stop_rule(std::size_t level) const {
-  StopRule rule{max_iterations(level), options.tolerance, options.tolerance, false};
-  if (level + 1 == levels.size()) return rule;
+  const double tolerance =
+      options.tolerance * std::min(1.0, scales[level] / options.judged_length_scale);
+  StopRule rule{max_iterations(level), tolerance, tolerance, false};
+  if (level + 1 == scales.size()) return rule;
   const double enough = options.coarse_tolerance * levels[level + 1].length_scale();
   rule.translation = std::max(rule.translation, enough);
   rule.rotation = std::max(rule.rotation, 0.5 * enough);  // of a point 2 m away
@@ -175,7 +206,8 @@ LevelResult Registration::Impl::run_level(std::size_t level, const PointCloud& m
 /// Runs all levels but the last; a level without overlap changes nothing.
 Approach Registration::Impl::approach(const PointCloud& moving, const SE3& T_init, int skip) {
   Approach result{T_init, 0};
-  for (auto level = static_cast<std::size_t>(skip); level + 1 < levels.size(); ++level) {
+  pairs.clear();
+  for (auto level = static_cast<std::size_t>(skip); level + 1 < scales.size(); ++level) {
     const LevelResult state = run_level(level, moving, result.T_fixed_moving);
     result.T_fixed_moving = state.T_fixed_moving;
     result.iterations += state.iterations;
@@ -185,46 +217,54 @@ Approach Registration::Impl::approach(const PointCloud& moving, const SE3& T_ini
 
 RegistrationResult Registration::Impl::refine(const PointCloud& moving, const Approach& start) {
   const SE3& T_init = start.T_fixed_moving;
-  if (levels.empty() || levels.back().grid().size() == 0) {
+  if (scales.empty() || judged.grid().size() == 0) {
     return failed(T_init, "the fixed cloud has no points");
   }
   if (moving.empty()) return failed(T_init, "the moving cloud has no points");
-  const LevelResult state = run_level(levels.size() - 1, moving, T_init);
+  const LevelResult state = run_level(scales.size() - 1, moving, T_init);
   if (state.value.matched == 0) return failed(T_init, "the clouds do not overlap");
-  if (is_undetermined(state.value)) {
+  const ObjectiveValue seen = judge(moving, state);
+  if (is_undetermined(seen)) {
     return failed(T_init,
                   "the points that match do not determine the pose: too few, or all on a line");
   }
-  RegistrationResult result = assess(moving, state);
+  RegistrationResult result = assess(moving, state, seen);
   result.iterations = start.iterations + state.iterations;
   return result;
 }
 
-RegistrationResult Registration::Impl::assess(const PointCloud& moving, const LevelResult& state) {
+/// Returns the objective with balls at the judged length scale.
+ObjectiveValue Registration::Impl::judge(const PointCloud& moving, const LevelResult& state) {
+  const bool is_known =
+      scales.back() == judged.length_scale() && !is_shaped(moving, options.kernel);
+  if (is_known) return state.value;
+  return PoseObjective(judged, moving, moving.size(), pairs, executor)
+      .evaluate(state.T_fixed_moving);
+}
+
+RegistrationResult Registration::Impl::assess(const PointCloud& moving, const LevelResult& state,
+                                              const ObjectiveValue& seen) {
   RegistrationResult result;
   result.T_fixed_moving = state.T_fixed_moving.normalized();
   result.status =
       state.converged ? RegistrationStatus::kConverged : RegistrationStatus::kIterationLimit;
   result.reason = state.converged ? "converged" : "iteration limit";
   result.objective = state.value.value;
-  result.overlap = static_cast<double>(state.value.matched) / static_cast<double>(moving.size());
-  const Objective& finest = levels.back();
+  result.overlap = static_cast<double>(seen.matched) / static_cast<double>(moving.size());
   by_depth.sort(moving);
   moving_grid.build(moving, by_depth, moving.size(),
-                    support_radius(finest.kernel(), finest.length_scale()));
+                    support_radius(judged.kernel(), judged.length_scale()));
   const double moving_squared_norm =
-      squared_norm(moving_grid, moving, finest.kernel(), finest.length_scale(), executor);
+      squared_norm(moving_grid, moving, judged.kernel(), judged.length_scale(), executor);
   // The kernel cut to its support is not positive definite: on a regular lattice the quotient can
   // be larger than one.
-  result.cos_theta = std::min(
-      1.0, state.value.inner_product / std::sqrt(fixed_squared_norm * moving_squared_norm));
+  result.cos_theta =
+      std::min(1.0, seen.inner_product / std::sqrt(fixed_squared_norm * moving_squared_norm));
   const double mean_weight = state.value.inner_product / static_cast<double>(state.value.matched);
-  const double scale = options.information_scale *
-                       mean_precision(moving, finest.length_scale(), options.depth_noise);
   // Errors of the depth along the rays are independent of what the objective knows.
   result.covariance =
       inverse_of_spd(right_information(curvature(state.value), result.T_fixed_moving) *
-                     (scale / mean_weight)) +
+                     (options.information_scale / mean_weight)) +
       depth_covariance(moving, options.depth_noise);
   return result;
 }

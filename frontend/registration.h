@@ -31,8 +31,11 @@ struct KernelOptions {
   double color_scale = 60.0;     ///< s_c, on 8-bit values
   double gradient_scale = 60.0;  ///< s_g, on 8-bit values a pixel
   /// Factor on PointCloud::ray_noise of the moving points. The kernel is longer along a point's ray
-  /// d: its covariance is ell^2 I + (factor noise)^2 d d^T. 0 = the kernel is a ball.
-  double ray_noise = 0;
+  /// d: its covariance is ell^2 I + (factor noise)^2 d d^T. 0 = it is not.
+  double ray_noise = 0.4;
+  /// True for kernels that are thin across the surface of a moving point (PointCloud::surfaces), as
+  /// far as the noise of its depth allows.
+  bool surfaces = true;
 };
 
 /// Returns the distance beyond which the sparsified kernel is zero [m].
@@ -63,16 +66,24 @@ struct RegistrationOptions {
   /// coarse to fine. The first reaches motions that the prediction misses by a decimetre; the last
   /// is a Kinect's depth noise at 3 m. Scale them with the depth noise of the sensor; coarse scales
   /// alone are biased towards dense regions.
-  std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015};
+  std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015, 0.0125};
+  /// Finer ones that follow where the depth is clean (PointCloud::surface_noise below 0.1 mm/m^2)
+  /// [m].
+  std::vector<double> clean_length_scales = {0.007};
+  /// Length scale at which overlap and cos_theta are measured, with a ball, or the finest one if
+  /// that is longer [m]: so they mean the same whatever the kernel.
+  double judged_length_scale = 0.015;
   Solver solver = Solver::kNewton;
   KernelOptions kernel;
   /// Largest number of iterations at each length scale; the last entry holds for the scales after
   /// it.
   std::vector<int> max_iterations = {5, 5, 5, 10};
-  double coarser_share = 0.5;     ///< share of the points of the next finer scale
-  double tolerance = 1e-4;        ///< a shorter Newton step ends a length scale [m] and [rad]
+  double coarser_share = 0.5;  ///< share of the points at twice the finest scale
+  /// A shorter Newton step ends a length scale [m] and [rad]; at a finer scale than
+  /// judged_length_scale by so much less.
+  double tolerance = 1e-4;
   double coarse_tolerance = 0.1;  ///< the same at coarse scales, as a share of the next scale
-  double depth_noise = 0.0065;    ///< of the covariance: sigma_z = depth_noise z^2 [1/m]
+  double depth_noise = 2.2;       ///< factor on PointCloud::ray_noise, for the covariance
   double information_scale = 3;   ///< factor of the information before the depth noise
   FlowConstants flow;
 };
@@ -97,17 +108,17 @@ struct RegistrationResult {
   int iterations = 0;  ///< over all length scales
   /// sum c max(k - sparsification, 0) at the final pose and length scale.
   double objective = 0;
-  /// Share of the moving points with a fixed point inside the kernel's support at the final length
+  /// Share of the moving points with a fixed point inside the kernel's support at the judged length
   /// scale, in [0, 1].
   double overlap = 0;
-  /// <f_X, h.f_Z> / (|f_X| |f_Z|) at the final length scale, in [0, 1].
+  /// <f_X, h.f_Z> / (|f_X| |f_Z|) at the judged length scale, in [0, 1].
   double cos_theta = 0;
   /// Covariance of a right perturbation of T_fixed_moving, tangent order [translation; rotation];
   /// positive definite. It is the inverse of the negative second derivative of the objective,
-  /// scaled so that a moving point counts as one measurement with the final length scale and its
-  /// depth noise as standard deviation, times information_scale; plus the effect of the depth noise
-  /// along the rays. If the search ended away from a maximum, the second derivative is that of the
-  /// majorising least squares. Zero if the registration failed.
+  /// scaled so that a moving point counts as one measurement with its kernel as covariance, times
+  /// information_scale; plus the effect of the depth noise along the rays. If the search ended away
+  /// from a maximum, the second derivative is that of the majorising least squares. Zero if the
+  /// registration failed.
   Matrix6 covariance = Matrix6::Zero();
 };
 
@@ -138,7 +149,8 @@ class Registration {
   /// caller that can improve the moving cloud once its pose is nearly known.
   [[nodiscard]] Approach approach(const PointCloud& moving, const SE3& T_fixed_moving_init,
                                   int skip = 0);
-  /// Runs the last length scale.
+  /// Runs the last length scale. The cloud has the points of approach()'s, perhaps at better
+  /// places.
   [[nodiscard]] RegistrationResult refine(const PointCloud& moving, const Approach& start);
 
  private:

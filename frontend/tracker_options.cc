@@ -90,7 +90,7 @@ TrackerOptions paper_options() {
   o.registration.solver = Solver::kFlow;
   o.registration.coarser_share = 1;
   o.registration.kernel.color_kernel = ColorKernel::kLinear;
-  o.registration.kernel.ray_noise = 0;
+  o.registration.judged_length_scale = 0.03;
   o.registration.length_scales = {0.15, 0.10, 0.06, 0.03};
   o.registration.max_iterations = {3, 7, 10, 1000};
   return o;

@@ -12,17 +12,20 @@
 
 namespace cvo_slam {
 
-/// A new, empty folder that is removed with all that is in it.
+/// A new, empty folder that is removed with all that is in it. It is alone in the folder above it:
+/// readers of data sets look there for camera files, too.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "cvo_slam_XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
-    path_ = name;
+    root_ = name;
+    path_ = root_ / "folder";
+    std::filesystem::create_directory(path_);
   }
   ~TemporaryFolder() {
     std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    std::filesystem::remove_all(root_, ignored);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -39,6 +42,7 @@ class TemporaryFolder {
   }
 
  private:
+  std::filesystem::path root_;
   std::filesystem::path path_;
 };
 

@@ -12,10 +12,12 @@
 namespace cvo_slam {
 namespace {
 
+/// Adds a point with a depth noise of z^2 / 200.
 void add(PointCloud& cloud, const Vector3& p) {
   cloud.x.push_back(static_cast<float>(p.x()));
   cloud.y.push_back(static_cast<float>(p.y()));
   cloud.z.push_back(static_cast<float>(p.z()));
+  cloud.ray_noise.push_back(static_cast<float>(0.005 * p.z() * p.norm()));
 }
 
 Vector3 point(const PointCloud& cloud, std::size_t i) {
@@ -58,36 +60,30 @@ TEST(DepthCovariance, IsThatOfLeastSquaresPosesOfPointsMovedAlongTheirRays) {
     const Eigen::Matrix<double, 6, 1> pose = design.llt().solve(right);
     sampled += pose * pose.transpose() / kTrials;
   }
-  const Matrix6 expected = depth_covariance(cloud, kNoise);
+  const Matrix6 expected = depth_covariance(cloud, 1);
   EXPECT_LT((expected - sampled).norm(), 0.04 * expected.norm());
 }
 
 TEST(DepthCovariance, GrowsWithDistanceAndIsNothingWithoutNoise) {
-  EXPECT_GT(depth_covariance(view(60, 4), 0.005)(2, 2),
-            4 * depth_covariance(view(60, 1), 0.005)(2, 2));
+  EXPECT_GT(depth_covariance(view(60, 4), 1)(2, 2), 4 * depth_covariance(view(60, 1), 1)(2, 2));
   EXPECT_EQ(depth_covariance(view(60, 1), 0), Matrix6(Matrix6::Zero()));
+  PointCloud of_unknown_noise = view(60, 1);
+  of_unknown_noise.ray_noise.clear();
+  EXPECT_EQ(depth_covariance(of_unknown_noise, 1), Matrix6(Matrix6::Zero()));
 }
 
 TEST(DepthCovariance, OfAPointInTheCameraIsFinite) {
   PointCloud cloud = view(60, 1);
   add(cloud, Vector3::Zero());
-  EXPECT_TRUE(depth_covariance(cloud, 0.005).allFinite());
+  EXPECT_TRUE(depth_covariance(cloud, 1).allFinite());
 }
 
 TEST(DepthCovariance, LeavesOutPointsWithoutDepth) {
   PointCloud cloud = view(60, 1);
-  const Matrix6 expected = depth_covariance(cloud, 0.005);
+  const Matrix6 expected = depth_covariance(cloud, 1);
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   add(cloud, {kNone, kNone, kNone});
-  EXPECT_EQ(depth_covariance(cloud, 0.005), expected);
-}
-
-TEST(MeanPrecision, IsHalfWhereTheNoiseIsAsWideAsTheKernel) {
-  PointCloud cloud;
-  add(cloud, {0, 0, 2});
-  EXPECT_NEAR(mean_precision(cloud, 0.02, 0.005), 0.5, 1e-12);
-  add(cloud, {0, 0, std::numeric_limits<double>::infinity()});
-  EXPECT_NEAR(mean_precision(cloud, 0.02, 0.005), 0.25, 1e-12);
+  EXPECT_EQ(depth_covariance(cloud, 1), expected);
 }
 
 }  // namespace

@@ -104,19 +104,27 @@ TEST_P(ObjectiveDerivatives, MajorizerBoundsTheHessian) {
 INSTANTIATE_TEST_SUITE_P(ColorKernels, ObjectiveDerivatives,
                          testing::Values(ColorKernel::kLinear, ColorKernel::kSquaredExponential));
 
-TEST(ObjectiveAlongRays, DerivativesMatchNumericDifferentiation) {
+TEST(ObjectiveOfShapedKernels, DerivativesMatchNumericDifferentiation) {
   KernelOptions kernel = smooth_kernel(ColorKernel::kSquaredExponential);
   kernel.ray_noise = 1;
   const PointCloud fixed = random_cloud(60, 1);
   PointCloud moving = random_cloud(50, 2);
   moving.ray_noise.assign(moving.size(), 0.2F);
+  moving.surface_noise = 1e-4F;
+  const Eigen::Vector3f n = Eigen::Vector3f(0.3F, -0.2F, 0.9F).normalized();
+  moving.surfaces.assign(moving.size(), {n, 0.05F});
   const SE3 T = motion(0.05, -0.03, 0.02, 0.1, -0.05, 0.2);
-  // The rays are those of the pose T, also near it.
+  // Rays and normals are those of the pose T, also near it.
   const auto f = [&](const SE3& pose) {
     double sum = 0;
     for (std::size_t j = 0; j < moving.size(); ++j) {
       const Vector3 d = T.rotation() * moving.position(j).normalized();
-      const Matrix3 covariance = kScale * kScale * Matrix3::Identity() + 0.04 * d * d.transpose();
+      const Vector3 normal = T.rotation() * n.cast<double>();
+      // A tenth of the length scale, the roughness, and a tenth of it for the noise.
+      const double thickness2 = 0.03 * 0.03 + 0.05 * 0.05 + 0.03 * 0.03;
+      const Matrix3 covariance = kScale * kScale * Matrix3::Identity() +
+                                 (thickness2 - kScale * kScale) * normal * normal.transpose() +
+                                 0.04 * d * d.transpose();
       for (std::size_t i = 0; i < fixed.size(); ++i) {
         const Vector3 r = fixed.position(i) - pose * moving.position(j);
         sum += label_product(kernel, fixed, i, moving, j) * kernel.sigma * kernel.sigma *

@@ -53,11 +53,19 @@ void add(const PairSums& part, bool absolute, PairSums& total) {
 /// cloud as it was when the neighbours were searched.
 Matrix3 precision(const PointCloud& moving, std::size_t j, const SE3& T_searched,
                   const KernelOptions& kernel) {
-  if (moving.ray_noise.empty()) return Matrix3::Identity();
-  const Vector3 d = T_searched.rotation() * moving.position(j).normalized();
-  const double noise = kernel.ray_noise * static_cast<double>(moving.ray_noise[j]);
-  const Matrix3 covariance =
-      kScale * kScale * Matrix3::Identity() + noise * noise * d * d.transpose();
+  Matrix3 covariance = kScale * kScale * Matrix3::Identity();
+  if (!moving.surfaces.empty()) {
+    const Vector3 n = T_searched.rotation() * moving.surfaces[j].normal.cast<double>();
+    const double noise = static_cast<double>(moving.surface_noise) / 1e-3;
+    const double roughness = moving.surfaces[j].roughness;
+    const double thickness2 = kScale * kScale * (0.01 + noise * noise) + roughness * roughness;
+    covariance += (std::min(thickness2, kScale * kScale) - kScale * kScale) * n * n.transpose();
+  }
+  if (!moving.ray_noise.empty()) {
+    const Vector3 d = T_searched.rotation() * moving.position(j).normalized();
+    const double noise = kernel.ray_noise * static_cast<double>(moving.ray_noise[j]);
+    covariance += noise * noise * d * d.transpose();
+  }
   return kScale * kScale * covariance.inverse();
 }
 
@@ -184,14 +192,50 @@ TEST_P(PairSumsTest, OfKernelsAlongTheRaysMatchTheSumsOverAllPairs) {
   expect_near(sums(pairs, near), exact_sums(fixed, moving, near, kernel_, T_));
 }
 
-TEST_P(PairSumsTest, TheNormOfACloudUsesTheKernelsOfItsPoints) {
+/// Gives each point a surface with some normal; every fifth lies on none, some are rough.
+void add_surfaces(PointCloud& cloud) {
+  cloud.surface_noise = 2e-4F;
+  for (std::size_t j = 0; j < cloud.size(); ++j) {
+    SurfacePatch patch;
+    const auto angle = static_cast<float>(j);
+    if (j % 5 != 0) {
+      patch.normal =
+          Eigen::Vector3f(std::sin(angle), std::cos(3 * angle), std::sin(2 * angle)).normalized();
+    }
+    patch.roughness = static_cast<float>(kScale * 0.15 * static_cast<double>(j % 9));
+    cloud.surfaces.push_back(patch);
+  }
+}
+
+TEST_P(PairSumsTest, OfKernelsAcrossSurfacesMatchTheSumsOverAllPairs) {
+  const PointCloud fixed = random_cloud(900, 1);
+  PointCloud moving = random_cloud(200, 2);
+  add_surfaces(moving);
+  const PairTable pairs = table(fixed, moving, T_);
+  const PairSums result = sums(pairs, T_);
+  expect_near(result, exact_sums(fixed, moving, T_, kernel_));
+  EXPECT_LT(result.value, 0.8 * sums(table(fixed, random_cloud(200, 2), T_), T_).value);
+  const SE3 near = T_ * motion(0.02, 0, 0.01, 0, 0.01, 0);
+  ASSERT_TRUE(pairs.covers(near));
+  expect_near(sums(pairs, near), exact_sums(fixed, moving, near, kernel_, T_));
+}
+
+TEST_P(PairSumsTest, OfKernelsWithRayAndSurfaceMatchTheSumsOverAllPairs) {
   kernel_.ray_noise = 0.8;
-  const PointCloud cloud = noisy_cloud(200, 6);
-  NeighborGrid grid;
-  grid.build(cloud, support_radius(kernel_, kScale));
-  const auto exact = exact_sums(cloud, cloud, SE3(), kernel_);
-  EXPECT_NEAR(sum_inner_products(grid, cloud, kernel_, kScale, 0, cloud.size()), exact.sum.w,
-              1e-4 * exact.sum.w);
+  const PointCloud fixed = random_cloud(700, 1);
+  PointCloud moving = noisy_cloud(150, 2);
+  add_surfaces(moving);
+  expect_near(sums(table(fixed, moving, T_), T_), exact_sums(fixed, moving, T_, kernel_));
+}
+
+TEST_P(PairSumsTest, NoisySurfacesAreOfNoUse) {
+  const PointCloud fixed = random_cloud(300, 1);
+  PointCloud moving = random_cloud(100, 2);
+  add_surfaces(moving);
+  moving.surface_noise = 1.2e-3F;  // a Kinect's
+  const PairSums with = sums(table(fixed, moving, T_), T_);
+  moving.surfaces.clear();
+  EXPECT_EQ(std::bit_cast<Array>(with), std::bit_cast<Array>(sums(table(fixed, moving, T_), T_)));
 }
 
 TEST_P(PairSumsTest, AreRightForAnyNumberOfPointsAndNeighbours) {
@@ -219,6 +263,43 @@ TEST_P(PairSumsTest, ATableServesEveryPoseThatItCovers) {
   expect_near(sums(pairs, near), exact_sums(fixed, moving, near, kernel_));
   EXPECT_FALSE(pairs.covers(T_ * motion(0.06, 0, 0, 0, 0, 0)));
   EXPECT_FALSE(pairs.covers(T_ * motion(0, 0, 0, 0, 0.06, 0)));
+}
+
+TEST_P(PairSumsTest, ATableServesAnotherKernelOfTheSameClouds) {
+  const PointCloud fixed = random_cloud(600, 4);
+  PointCloud moving = random_cloud(150, 5);
+  NeighborGrid grid;
+  grid.build(fixed, 1.25 * support_radius(kernel_, 1.2 * kScale));
+  NeighborGrid finer;
+  finer.build(fixed, 1.25 * support_radius(kernel_, kScale));
+  PairTable pairs;
+  pairs.build(grid, moving, moving.size(), T_, kernel_, 1.2 * kScale, Executor());
+  for (float& x : moving.x) x += 0.01F;
+  add_surfaces(moving);
+  ASSERT_TRUE(pairs.reuse(finer, moving, moving.size(), kernel_, kScale));
+  ASSERT_TRUE(pairs.covers(T_));
+  expect_near(sums(pairs, T_), exact_sums(fixed, moving, T_, kernel_));
+  // Of the skin, 1.25 * 1.2 - 1 = 0.5 of a support of 215 mm, the points have taken 10 mm.
+  EXPECT_TRUE(pairs.covers(T_ * motion(0.09, 0, 0, 0, 0, 0)));
+  EXPECT_FALSE(pairs.covers(T_ * motion(0.10, 0, 0, 0, 0, 0)));
+}
+
+TEST_P(PairSumsTest, ATableDoesNotServeOtherCloudsOrWiderKernels) {
+  const PointCloud fixed = random_cloud(600, 4);
+  const PointCloud moving = random_cloud(150, 5);
+  NeighborGrid grid;
+  grid.build(fixed, 1.25 * support_radius(kernel_, kScale));
+  PairTable pairs;
+  EXPECT_FALSE(pairs.reuse(grid, moving, moving.size(), kernel_, kScale)) << "nothing was built";
+  pairs.build(grid, moving, moving.size(), T_, kernel_, kScale, Executor());
+  EXPECT_TRUE(pairs.reuse(grid, moving, moving.size(), kernel_, kScale));
+  EXPECT_FALSE(pairs.reuse(grid, moving, 100, kernel_, kScale));
+  EXPECT_FALSE(pairs.reuse(grid, moving, moving.size(), kernel_, 1.3 * kScale));
+  NeighborGrid much_finer;
+  much_finer.build(fixed, 1.25 * support_radius(kernel_, 0.5 * kScale));
+  EXPECT_FALSE(pairs.reuse(much_finer, moving, moving.size(), kernel_, 0.5 * kScale));
+  pairs.clear();
+  EXPECT_FALSE(pairs.reuse(grid, moving, moving.size(), kernel_, kScale));
 }
 
 TEST_P(PairSumsTest, OfTheFirstPointsAlone) {

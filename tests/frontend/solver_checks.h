@@ -22,9 +22,12 @@ inline RegistrationOptions exact_options(Solver solver, ColorKernel color,
   options.kernel.sigma = 0.1;
   options.kernel.sparsification = 1e-3;
   options.kernel.color_kernel = color;
+  options.kernel.ray_noise = 0;  // the flow takes balls
+  options.kernel.surfaces = false;
   options.kernel.color_scale = 80;
   options.kernel.gradient_scale = 80;
   options.length_scales = std::move(length_scales);
+  options.judged_length_scale = options.length_scales.back();
   options.max_iterations = {5000};
   options.tolerance = 1e-7;
   options.depth_noise = 0;

@@ -177,6 +177,19 @@ TEST_F(TrackerOnSyntheticFrames, IsTheSameToTheBitWithTwoThreads) {
   }
 }
 
+TEST_F(TrackerOnSyntheticFrames, SurfacesOfCleanDepthTellThePoseBetter) {
+  const auto error_with = [this](bool surfaces) {
+    options_.registration.kernel.surfaces = surfaces;
+    double sum = 0;
+    for (const FrameRecord& record : track(12, options_)) {
+      const SE3 truth = frames_.T_first_camera(0, record.index);
+      sum += (truth.inverse() * record.T_world_camera).translation().norm();
+    }
+    return sum;
+  };
+  EXPECT_LT(error_with(true), 0.5 * error_with(false));
+}
+
 TEST_F(TrackerOnSyntheticFrames, TracksGreyImages) {
   Tracker tracker(frames_.camera(), options_);
   std::vector<FrameRecord> records;

@@ -26,6 +26,7 @@ inline TrackerOptions tracker_test_options() {
   o.registration.kernel.color_scale = 60;
   o.registration.kernel.gradient_scale = 60;
   o.registration.length_scales = {0.1, 0.05, 0.025};
+  o.registration.judged_length_scale = 0.025;
   o.registration.max_iterations = {10};
   o.registration.tolerance = 1e-4;
   o.keyframe.min_overlap = 0.7;

@@ -128,7 +128,11 @@ TEST_F(SlamOnSyntheticFrames, WhatIsNotBelievedSaysWhy) {
   };
   using testing::HasSubstr;
   EXPECT_THAT(reason_with([](auto& o) { o.pair.min_overlap = 1; }), HasSubstr("overlap"));
-  EXPECT_THAT(reason_with([](auto& o) { o.pair.min_cos_theta = 1; }), HasSubstr("cos_theta"));
+  EXPECT_THAT(reason_with([](auto& o) {
+                o.pair.min_overlap = 0;
+                o.pair.min_cos_theta = 1;
+              }),
+              HasSubstr("cos_theta"));
   EXPECT_THAT(reason_with([](auto& o) { o.pair.max_round_trip_rotation = 0; }),
               HasSubstr("and back"));
   EXPECT_THAT(reason_with([](auto& o) { o.pair.max_error = 0; }), HasSubstr("standard deviations"));
