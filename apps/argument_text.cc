@@ -16,7 +16,7 @@ namespace cvo_slam {
 namespace {
 
 /// One number of a range; `otherwise` if the text is empty, nothing if it is no number.
-std::optional<std::size_t> parse_number(std::string_view text, std::size_t otherwise) {
+std::optional<std::size_t> parse_index(std::string_view text, std::size_t otherwise) {
   if (text.empty()) return otherwise;
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -25,6 +25,14 @@ std::optional<std::size_t> parse_number(std::string_view text, std::size_t other
 }
 
 }  // namespace
+
+std::optional<double> parse_number(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end) return std::nullopt;
+  return value;
+}
 
 void apply_setting(const OptionSet& options, const std::string& setting,
                    const std::string& example) {
@@ -43,9 +51,9 @@ FrameRange parse_frames(const std::string& frames, std::size_t size) {
   const auto part = [&](std::size_t first, std::size_t last) {
     return first == 0 ? std::string_view() : text.substr(first, last - first);
   };
-  const auto begin = parse_number(text.substr(0, colon), 0);
-  const auto end = parse_number(part(colon + 1, second), size);
-  const auto step = parse_number(part(second + 1, text.size()), 1);
+  const auto begin = parse_index(text.substr(0, colon), 0);
+  const auto end = parse_index(part(colon + 1, second), size);
+  const auto step = parse_index(part(second + 1, text.size()), 1);
   if (colon == std::string_view::npos || !begin || !end || !step || *step == 0) {
     throw OptionError(
         fmt::format("--frames {} must be a:b, a:, :b or a:b:step, e.g. 0:100", frames));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "cvo_slam/core/options.h"
@@ -25,6 +26,10 @@ struct PixelSize {
   int width = 0;
   int height = 0;
 };
+
+/// Returns the number that a text spells from its first character to its last; empty if it does
+/// not.
+[[nodiscard]] std::optional<double> parse_number(const std::string& text);
 
 /// Sets the option that an argument "key=value" of --set names. Throws OptionError if the argument
 /// is malformed, with `example` as a correct one, or if the set refuses it.

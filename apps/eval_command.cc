@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/apps/argument_text.h"
 #include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/evaluation_report.h"
@@ -27,6 +28,7 @@ struct EvalArguments {
   std::optional<double> delta;
   std::optional<DeltaUnit> unit;
   bool all_pairs = false;
+  std::string time_offset = "0";
   std::filesystem::path plot_folder;
   bool json = false;
 };
@@ -55,6 +57,17 @@ std::vector<RelativePoseOptions> relative_options(const EvalArguments& arguments
            .all_pairs = arguments.all_pairs}};
 }
 
+constexpr const char* kAuto = "auto";
+
+/// Returns the offset that the command line gives; 0 for auto.
+double given_time_offset(const EvalArguments& arguments) {
+  if (arguments.time_offset == kAuto) return 0;
+  const auto seconds = parse_number(arguments.time_offset);
+  if (seconds) return *seconds;
+  throw OptionError(
+      fmt::format("--time-offset '{}': expected seconds or auto", arguments.time_offset));
+}
+
 /// Throws InputError if the file has no pose; otherwise it would be said of the estimate's file.
 ForeignTrajectory read_poses(const std::filesystem::path& file) {
   ForeignTrajectory trajectory = read_foreign_tum(file);
@@ -64,9 +77,28 @@ ForeignTrajectory read_poses(const std::filesystem::path& file) {
                                      invalid > 0 ? " with finite numbers" : ""));
 }
 
+/// Adds the figures with the offset at which the rotations agree best; they stand beside those
+/// without it.
+void add_at_best_offset(const ForeignTrajectory& reference, const ForeignTrajectory& estimate,
+                        EvaluationReport& report) {
+  const auto offset =
+      measure_time_offset(reference.poses, estimate.poses, report.options.association);
+  if (!offset) {
+    report.notes.emplace_back(
+        "the clocks of the two were not compared: no offset of at most half a second has the "
+        "smallest rotation error over a second");
+    return;
+  }
+  EvaluationOptions options = report.options;
+  options.association.time_offset = *offset;
+  report.at_best_offset = std::make_shared<EvaluationReport>(
+      evaluate(reference.poses, estimate.poses, options, report.left_out));
+}
+
 int run_eval(const EvalArguments& arguments) {
   EvaluationOptions options = arguments.options;
   options.relative = relative_options(arguments);
+  options.association.time_offset = given_time_offset(arguments);
   const auto reference = read_poses(arguments.reference);
   const auto estimate = read_poses(arguments.estimate);
   EvaluationReport report;
@@ -76,6 +108,7 @@ int run_eval(const EvalArguments& arguments) {
   } catch (const DataError& error) {
     throw InputError(arguments.estimate, error.what());
   }
+  if (arguments.time_offset == kAuto) add_at_best_offset(reference, estimate, report);
   if (reference.sorted) report.notes.emplace_back("reference: stamps out of order; sorted");
   if (estimate.sorted) report.notes.emplace_back("estimate: stamps out of order; sorted");
   if (!arguments.plot_folder.empty()) {
@@ -112,8 +145,10 @@ void add_eval_options(Command& command, EvalArguments& arguments) {
               "Largest difference between the stamps of a match [s] (default 0.02)");
   command.add("--interpolate", &association.interpolate,
               "Interpolate the reference at the stamps of the estimate");
-  command.add("--time-offset", &association.time_offset,
-              "Time to add to the stamps of the estimate [s] (default 0)");
+  command.add(
+      "--time-offset", &arguments.time_offset,
+      "Time to add to the stamps of the estimate [s]; auto = print the figures a second time, "
+      "with the offset at which the rotations over a second agree best (default 0)");
   command.add("--plot", &arguments.plot_folder,
               "Folder for pictures of the trajectories and their errors (PNG and SVG)");
   command.add("--json", &arguments.json, "Print one JSON object instead of a table");

@@ -220,6 +220,10 @@ std::string to_table(const EvaluationReport& report) {
     text += "* as the CVO paper defines it: rotation is sqrt(2) times the angle\n";
   for (const auto& note : report.notes) text += note + "\n";
   for (const auto& warning : report.warnings) text += "warning: " + warning + "\n";
+  if (report.at_best_offset) {
+    text += "\nwith the offset between the clocks at which the rotations agree best:\n" +
+            to_table(*report.at_best_offset);
+  }
   return text;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,6 +51,8 @@ struct EvaluationReport {
   std::vector<std::string> notes;              ///< one line for each missing figure: why
   /// One line for each large share of poses that is in no figure.
   std::vector<std::string> warnings;
+  /// The same with the measured offset between the clocks; empty if it was not asked for.
+  std::shared_ptr<const EvaluationReport> at_best_offset;
 };
 
 /// Computes ATE and RPE. With a sim3 alignment the RPE is that of the scaled estimate. A figure

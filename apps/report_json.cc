@@ -70,6 +70,7 @@ Json json_of(const EvaluationReport& report) {
   for (const auto& relative : report.relative) json["rpe"].push_back(json_of(relative));
   json["notes"] = report.notes;
   json["warnings"] = report.warnings;
+  if (report.at_best_offset) json["at_best_time_offset"] = json_of(*report.at_best_offset);
   return json;
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/tracking_arguments.h"
 
-#include <charconv>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "cvo_slam/apps/argument_text.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/frontend/simd.h"
 #include "cvo_slam/io/camera_file.h"
@@ -67,10 +67,8 @@ std::optional<double> DatasetArguments::given_depth_offset() const {
   if (depth_offset == kAutomaticDepthOffset || depth_offset == kMeasuredDepthOffset) {
     return std::nullopt;
   }
-  double seconds = 0;
-  const char* end = depth_offset.data() + depth_offset.size();
-  const auto [rest, error] = std::from_chars(depth_offset.data(), end, seconds);
-  if (error == std::errc() && rest == end) return seconds;
+  const auto seconds = parse_number(depth_offset);
+  if (seconds) return seconds;
   throw OptionError(fmt::format("--depth-offset '{}': expected seconds, {} or {}", depth_offset,
                                 kAutomaticDepthOffset, kMeasuredDepthOffset));
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -151,5 +152,14 @@ struct RelativePoseError {
 /// apart, and OptionError as select_pairs() does.
 [[nodiscard]] RelativePoseError relative_pose_error(const std::vector<MatchedPose>& matches,
                                                     const RelativePoseOptions& options = {});
+
+/// Measures the offset between the clocks of two trajectories: what to add to the estimate's stamps
+/// [s], at most half a second, so that the rotations of the RPE over a second are smallest. It is
+/// found to a tenth of a millisecond; the reference is interpolated. Empty if the trajectories have
+/// no poses a second apart, if the smallest error is at the limit, or if the camera hardly turns,
+/// so that no offset is better than others. Throws OptionError for a bad option.
+[[nodiscard]] std::optional<double> measure_time_offset(const std::vector<StampedPose>& reference,
+                                                        const std::vector<StampedPose>& estimate,
+                                                        const AssociationOptions& options = {});
 
 }  // namespace cvo_slam

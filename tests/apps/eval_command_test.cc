@@ -63,6 +63,31 @@ TEST_F(EvalCommand, PrintsATable) {
   }
 }
 
+TEST_F(EvalCommand, ComparesTheClocks) {
+  std::vector<StampedPose> late = swaying(12);
+  for (StampedPose& pose : late) pose.stamp = Timestamp(pose.stamp.nanoseconds() + 30000000);
+  write_tum(reference_, {swaying(12), {}});
+  write_tum(estimate_, {late, {}});
+  const auto table = eval({"--time-offset", "auto", "--max-diff", "0.05"}).output;
+  EXPECT_THAT(table, HasSubstr("the offset between the clocks at which the rotations agree best"));
+  EXPECT_THAT(table, HasSubstr("stamps of the estimate shifted by -0.0"));
+  const auto json = nlohmann::json::parse(eval({"--time-offset", "auto", "--json"}).output);
+  EXPECT_EQ(json["time_offset_s"], 0.0) << "the figures without it stay";
+  const auto& best = json["at_best_time_offset"];
+  EXPECT_NEAR(best["time_offset_s"].get<double>(), -0.03, 1e-3);
+  EXPECT_LT(best["ate"]["translation_m"]["rmse"],
+            0.1 * json["ate"]["translation_m"]["rmse"].get<double>());
+  expect_error(eval({"--time-offset", "soon"}), 2,
+               "--time-offset 'soon': expected seconds or auto");
+}
+
+TEST_F(EvalCommand, WhereTheCameraDoesNotTurnTheClocksAreNotCompared) {
+  write_tum(reference_, {line(60), {}});
+  write_tum(estimate_, {line(60), {}});
+  const auto table = eval({"--time-offset", "auto", "--align", "none"}).output;
+  EXPECT_THAT(table, HasSubstr("the clocks of the two were not compared"));
+}
+
 TEST_F(EvalCommand, PrintsOneJsonObject) {
   const auto result = eval({"--json", "--align", "none"});
   EXPECT_EQ(result.exit_code, 0);

@@ -24,6 +24,20 @@ inline std::vector<StampedPose> helix(int count) {
   return poses;
 }
 
+/// A camera that sways for some seconds, with a pose every 20 ms from a number of milliseconds on:
+/// it turns ever differently, so that an offset of its clock shows.
+inline std::vector<StampedPose> swaying(int seconds, std::int64_t first_ms = 0) {
+  constexpr std::int64_t kPeriod = 20;
+  std::vector<StampedPose> poses;
+  for (std::int64_t ms = first_ms; ms < first_ms + 1000 * seconds; ms += kPeriod) {
+    const double t = 1e-3 * static_cast<double>(ms);
+    poses.push_back(
+        {milliseconds(ms), SE3(so3_exp({0.5 * std::sin(2 * t), 0.3 * std::sin(3 * t), 0}),
+                               {std::sin(t), std::cos(2 * t), 0.1 * t})});
+  }
+  return poses;
+}
+
 /// Poses at x = 0, step, 2 step, ... without rotation, 100 ms apart.
 inline std::vector<StampedPose> line(int count, double step = 1) {
   std::vector<StampedPose> poses;
