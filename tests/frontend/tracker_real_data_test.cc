@@ -15,11 +15,13 @@
 namespace cvo_slam {
 namespace {
 
-Trajectory track(const Dataset& data, std::size_t first, std::size_t count) {
+/// Tracks `count` frames, every `step`-th one from the first.
+Trajectory track(const Dataset& data, std::size_t first, std::size_t count, std::size_t step = 1) {
   Tracker tracker(data.camera());
   std::vector<FrameRecord> records;
-  for (std::size_t i = first; i < first + count; ++i)
-    records.push_back(tracker.track(data.read(i)).record);
+  for (std::size_t i = 0; i < count; ++i) {
+    records.push_back(tracker.track(data.read(first + step * i)).record);
+  }
   return to_trajectory(records);
 }
 
@@ -44,6 +46,19 @@ TEST(TrackerOnRealData, FollowsTumFr1Rpy) {
   // The authors' own code over the whole sequence: 45.5 mm and 3.34 degrees.
   EXPECT_LT(error.translation.rmse, 0.0455);
   EXPECT_LT(error.rotation.rmse, 3.34 * kDegree);
+}
+
+TEST(TrackerOnRealData, FollowsFastTurnsAtTenFramesASecond) {
+  constexpr const char* kSequence = "tum/rgbd_dataset_freiburg1_rpy";
+  CVO_SLAM_REQUIRE_DATA(kSequence);
+  DatasetOptions options;
+  options.depth_offset = -0.019;
+  const auto data = open_dataset(test_data() / kSequence, options);
+  // Its first eight seconds, in which the camera leaves its predicted way. From the fine length
+  // scales alone, frames end in another maximum without a word, and the error is 6.2 degrees.
+  const Trajectory trajectory = track(*data, 0, 80, 3);
+  EXPECT_TRUE(trajectory.lost.empty());
+  EXPECT_LT(error_of(*data, trajectory).rotation.rmse, 3 * kDegree);
 }
 
 TEST(TrackerOnRealData, FollowsSevenScenes) {
