@@ -42,7 +42,7 @@ Vector3 kernel_ray(const PointCloud& cloud, std::size_t j, const KernelOptions& 
   const Vector3 position = cloud.position(j);
   const double length = position.norm();
   if (!(length > 0 && noise > 0 && std::isfinite(noise))) return Vector3::Zero();
-  return position / length * (noise / std::hypot(length_scale, noise));
+  return position * (noise / (length * std::sqrt(length_scale * length_scale + noise * noise)));
 }
 
 Matrix3 kernel_precision(const PointCloud& cloud, std::size_t j, const Matrix3& rotation,
