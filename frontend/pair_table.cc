@@ -28,7 +28,7 @@ void PairTable::build(const NeighborGrid& grid, const PointCloud& moving, std::s
   fixed_count_ = grid.size();
   moving_count_ = count;
   radius_ = grid.radius();
-  fill(moving);
+  fill();
   set_points(moving, kernel, length_scale);
   skin_ = radius_ - support_radius(kernel, length_scale);
   built_ = true;
@@ -42,7 +42,12 @@ bool PairTable::reuse(const NeighborGrid& grid, const PointCloud& moving, std::s
   const bool fits = built_ && fixed_count_ == grid.size() && moving_count_ == count &&
                     radius_ >= support && radius_ <= kWidest * grid.radius();
   if (!fits) return false;
-  skin_ = radius_ - support - set_points(moving, kernel, length_scale);
+  double farthest2 = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    farthest2 = std::max(farthest2, (moving.position(j) - positions_[j]).squaredNorm());
+  }
+  set_points(moving, kernel, length_scale);
+  skin_ = radius_ - support - std::sqrt(farthest2);
   return true;
 }
 
@@ -76,7 +81,7 @@ void PairTable::group_by_count(std::size_t count) {
 }
 
 /// Lays the pairs out.
-void PairTable::fill(const PointCloud& moving) {
+void PairTable::fill() {
   groups_.resize(Executor::chunk_count(order_.size(), kLanes));
   std::size_t rows_used = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -93,13 +98,9 @@ void PairTable::fill(const PointCloud& moving) {
     Row* const rows = rows_.data() + group.row_begin;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       std::size_t n = 0;
-      group.x[lane] = group.y[lane] = group.z[lane] = 0;
       if (lane < points) {
         const std::size_t j = order_[g * kLanes + lane];
         const NeighborLists& lists = lists_[j / kChunk];
-        group.x[lane] = moving.x[j];
-        group.y[lane] = moving.y[j];
-        group.z[lane] = moving.z[j];
         const std::size_t begin = list_begin_[j];
         for (; n < lists.count[j % kChunk]; ++n) {
           rows[n].x[lane] = lists.x[begin + n];
@@ -116,41 +117,35 @@ void PairTable::fill(const PointCloud& moving) {
   }
 }
 
-/// Sets the places of the moving points and the shapes of their kernels; returns how far a point
-/// has moved since they were set last [m].
-double PairTable::set_points(const PointCloud& moving, const KernelOptions& kernel,
-                             double length_scale) {
-  constexpr std::array<float, 6> kBall = {1, 0, 0, 1, 0, 1};  // P
-  has_shapes_ = is_shaped(moving, kernel);
-  const Matrix3 rotation = T_fixed_moving_.rotation();
-  double farthest2 = 0;
+/// Sets the places of the moving points and the shapes of their kernels.
+void PairTable::set_points(const PointCloud& moving, const KernelOptions& kernel,
+                           double length_scale) {
+  positions_.resize(moving_count_);
   double max_range2 = 0;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    Group& group = groups_[g];
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const bool is_point = g * kLanes + lane < order_.size();
-      std::array<float, 6> upper = kBall;
-      if (is_point) {
-        const std::size_t j = order_[g * kLanes + lane];
-        const Vector3 before(group.x[lane], group.y[lane], group.z[lane]);
-        farthest2 = std::max(farthest2, (moving.position(j) - before).squaredNorm());
-        max_range2 = std::max(max_range2, moving.position(j).squaredNorm());
-        group.x[lane] = moving.x[j];
-        group.y[lane] = moving.y[j];
-        group.z[lane] = moving.z[j];
-        if (has_shapes_) {
-          const Matrix3 P = kernel_precision(moving, j, rotation, kernel, length_scale);
-          const std::array<double, 6> entries = {P(0, 0), P(0, 1), P(0, 2),
-                                                 P(1, 1), P(1, 2), P(2, 2)};
-          std::transform(entries.begin(), entries.end(), upper.begin(),
-                         [](double x) { return static_cast<float>(x); });
-        }
-      }
-      for (std::size_t i = 0; i < upper.size(); ++i) group.P[i][lane] = upper[i];
-    }
+  for (std::size_t j = 0; j < moving_count_; ++j) {
+    positions_[j] = moving.position(j);
+    max_range2 = std::max(max_range2, positions_[j].squaredNorm());
   }
   max_range_ = std::sqrt(max_range2);
-  return std::sqrt(farthest2);
+
+  has_shapes_ = is_shaped(moving, kernel);
+  const Matrix3 rotation = T_fixed_moving_.rotation();
+  for (std::size_t k = 0; k < groups_.size() * kLanes; ++k) {
+    Group& group = groups_[k / kLanes];
+    const std::size_t lane = k % kLanes;
+    const bool is_point = k < order_.size();
+    const Vector3 p = is_point ? positions_[order_[k]] : Vector3(Vector3::Zero());
+    group.x[lane] = static_cast<float>(p.x());
+    group.y[lane] = static_cast<float>(p.y());
+    group.z[lane] = static_cast<float>(p.z());
+    const Matrix3 P = is_point && has_shapes_
+                          ? kernel_precision(moving, order_[k], rotation, kernel, length_scale)
+                          : Matrix3(Matrix3::Identity());
+    const double upper[] = {P(0, 0), P(0, 1), P(0, 2), P(1, 1), P(1, 2), P(2, 2)};
+    for (std::size_t i = 0; i < group.P.size(); ++i) {
+      group.P[i][lane] = static_cast<float>(upper[i]);
+    }
+  }
 }
 
 }  // namespace cvo_slam

@@ -72,8 +72,8 @@ class PairTable {
 
  private:
   void group_by_count(std::size_t count);
-  void fill(const PointCloud& moving);
-  double set_points(const PointCloud& moving, const KernelOptions& kernel, double length_scale);
+  void fill();
+  void set_points(const PointCloud& moving, const KernelOptions& kernel, double length_scale);
 
   std::vector<NeighborLists> lists_;       // one a chunk of moving points
   std::vector<std::uint32_t> order_;       // moving points, those with most neighbours first
@@ -85,7 +85,8 @@ class PairTable {
   bool has_shapes_ = false;
   std::size_t fixed_count_ = 0;
   std::size_t moving_count_ = 0;
-  double radius_ = 0;  // within which neighbours were searched [m]
+  std::vector<Vector3> positions_;  // of all moving points, in their own frame
+  double radius_ = 0;               // within which neighbours were searched [m]
   SE3 T_fixed_moving_;
   double skin_ = 0;       // a pose that moves no point further than this is covered [m]
   double max_range_ = 0;  // of the moved points [m]

@@ -142,13 +142,18 @@ class PairSumsTest : public testing::TestWithParam<ColorKernel> {
     kernel_.gradient_scale = 50;
   }
 
+  /// A grid for neighbours up to a quarter further than the support of a length scale.
+  [[nodiscard]] NeighborGrid grid(const PointCloud& fixed, double length_scale = kScale) const {
+    NeighborGrid result;
+    result.build(fixed, 1.25 * support_radius(kernel_, length_scale));
+    return result;
+  }
+
   /// A table with neighbours up to a quarter further than the kernel's support.
   [[nodiscard]] PairTable table(const PointCloud& fixed, const PointCloud& moving,
                                 const SE3& T) const {
-    NeighborGrid grid;
-    grid.build(fixed, 1.25 * support_radius(kernel_, kScale));
     PairTable pairs;
-    pairs.build(grid, moving, moving.size(), T, kernel_, kScale, Executor());
+    pairs.build(grid(fixed), moving, moving.size(), T, kernel_, kScale, Executor());
     return pairs;
   }
 
@@ -265,21 +270,31 @@ TEST_P(PairSumsTest, ATableServesEveryPoseThatItCovers) {
   EXPECT_FALSE(pairs.covers(T_ * motion(0, 0, 0, 0, 0.06, 0)));
 }
 
+TEST_P(PairSumsTest, APointWithoutNeighboursCountsForWhatATableCovers) {
+  const PointCloud fixed = random_cloud(600, 4);
+  PointCloud moving = random_cloud(150, 5);
+  const SE3 turn = motion(0, 0, 0, 0, 0.01, 0);
+  ASSERT_TRUE(table(fixed, moving, SE3()).covers(turn));
+  moving.z[0] = 10;  // moves by 100 mm; the skin is 54 mm
+  EXPECT_FALSE(table(fixed, moving, SE3()).covers(turn));
+  PairTable pairs = table(fixed, moving, SE3());
+  moving.x[0] += 1;
+  ASSERT_TRUE(pairs.reuse(grid(fixed), moving, moving.size(), kernel_, kScale));
+  EXPECT_FALSE(pairs.covers(SE3()));
+}
+
 TEST_P(PairSumsTest, ATableServesAnotherKernelOfTheSameClouds) {
   const PointCloud fixed = random_cloud(600, 4);
   PointCloud moving = random_cloud(150, 5);
-  NeighborGrid grid;
-  grid.build(fixed, 1.25 * support_radius(kernel_, 1.2 * kScale));
-  NeighborGrid finer;
-  finer.build(fixed, 1.25 * support_radius(kernel_, kScale));
   PairTable pairs;
-  pairs.build(grid, moving, moving.size(), T_, kernel_, 1.2 * kScale, Executor());
+  pairs.build(grid(fixed, 1.2 * kScale), moving, moving.size(), T_, kernel_, 1.2 * kScale,
+              Executor());
   for (float& x : moving.x) x += 0.01F;
   add_surfaces(moving);
-  ASSERT_TRUE(pairs.reuse(finer, moving, moving.size(), kernel_, kScale));
+  ASSERT_TRUE(pairs.reuse(grid(fixed), moving, moving.size(), kernel_, kScale));
   ASSERT_TRUE(pairs.covers(T_));
   expect_near(sums(pairs, T_), exact_sums(fixed, moving, T_, kernel_));
-  // Of the skin, 1.25 * 1.2 - 1 = 0.5 of a support of 215 mm, the points have taken 10 mm.
+  // The skin is 1.25 * 1.2 - 1 = 0.5 of the support, 107 mm; the points have used up 10 mm.
   EXPECT_TRUE(pairs.covers(T_ * motion(0.09, 0, 0, 0, 0, 0)));
   EXPECT_FALSE(pairs.covers(T_ * motion(0.10, 0, 0, 0, 0, 0)));
 }
@@ -287,28 +302,24 @@ TEST_P(PairSumsTest, ATableServesAnotherKernelOfTheSameClouds) {
 TEST_P(PairSumsTest, ATableDoesNotServeOtherCloudsOrWiderKernels) {
   const PointCloud fixed = random_cloud(600, 4);
   const PointCloud moving = random_cloud(150, 5);
-  NeighborGrid grid;
-  grid.build(fixed, 1.25 * support_radius(kernel_, kScale));
+  const NeighborGrid same = grid(fixed);
   PairTable pairs;
-  EXPECT_FALSE(pairs.reuse(grid, moving, moving.size(), kernel_, kScale)) << "nothing was built";
-  pairs.build(grid, moving, moving.size(), T_, kernel_, kScale, Executor());
-  EXPECT_TRUE(pairs.reuse(grid, moving, moving.size(), kernel_, kScale));
-  EXPECT_FALSE(pairs.reuse(grid, moving, 100, kernel_, kScale));
-  EXPECT_FALSE(pairs.reuse(grid, moving, moving.size(), kernel_, 1.3 * kScale));
-  NeighborGrid much_finer;
-  much_finer.build(fixed, 1.25 * support_radius(kernel_, 0.5 * kScale));
-  EXPECT_FALSE(pairs.reuse(much_finer, moving, moving.size(), kernel_, 0.5 * kScale));
+  EXPECT_FALSE(pairs.reuse(same, moving, moving.size(), kernel_, kScale)) << "nothing was built";
+  pairs.build(same, moving, moving.size(), T_, kernel_, kScale, Executor());
+  EXPECT_TRUE(pairs.reuse(same, moving, moving.size(), kernel_, kScale));
+  EXPECT_FALSE(pairs.reuse(same, moving, 100, kernel_, kScale));
+  EXPECT_FALSE(pairs.reuse(same, moving, moving.size(), kernel_, 1.3 * kScale));
+  EXPECT_FALSE(
+      pairs.reuse(grid(fixed, 0.5 * kScale), moving, moving.size(), kernel_, 0.5 * kScale));
   pairs.clear();
-  EXPECT_FALSE(pairs.reuse(grid, moving, moving.size(), kernel_, kScale));
+  EXPECT_FALSE(pairs.reuse(same, moving, moving.size(), kernel_, kScale));
 }
 
 TEST_P(PairSumsTest, OfTheFirstPointsAlone) {
   const PointCloud fixed = random_cloud(300, 4);
   const PointCloud moving = random_cloud(40, 5);
-  NeighborGrid grid;
-  grid.build(fixed, 1.25 * support_radius(kernel_, kScale));
   PairTable pairs;
-  pairs.build(grid, moving, 11, T_, kernel_, kScale, Executor());
+  pairs.build(grid(fixed), moving, 11, T_, kernel_, kScale, Executor());
   const PointCloud part = subset(moving, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
   expect_near(sums(pairs, T_), exact_sums(fixed, part, T_, kernel_));
 }
