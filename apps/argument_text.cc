@@ -28,8 +28,9 @@ std::optional<std::size_t> parse_index(std::string_view text, std::size_t otherw
 
 std::optional<double> parse_number(const std::string& text) {
   double value = 0;
+  const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
   const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const auto [rest, error] = std::from_chars(text.data() + (has_plus ? 1 : 0), end, value);
   if (error != std::errc() || rest != end) return std::nullopt;
   return value;
 }

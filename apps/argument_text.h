@@ -27,8 +27,8 @@ struct PixelSize {
   int height = 0;
 };
 
-/// Returns the number that a text spells from its first character to its last; empty if it does
-/// not.
+/// Returns the number that a text spells from its first character, which may be a plus, to its
+/// last; empty if it spells none.
 [[nodiscard]] std::optional<double> parse_number(const std::string& text);
 
 /// Sets the option that an argument "key=value" of --set names. Throws OptionError if the argument

@@ -91,8 +91,13 @@ void add_at_best_offset(const ForeignTrajectory& reference, const ForeignTraject
   }
   EvaluationOptions options = report.options;
   options.association.time_offset = *offset;
-  report.at_best_offset = std::make_shared<EvaluationReport>(
-      evaluate(reference.poses, estimate.poses, options, report.left_out));
+  try {
+    report.at_best_offset = std::make_shared<EvaluationReport>(
+        evaluate(reference.poses, estimate.poses, options, report.left_out));
+  } catch (const DataError& error) {
+    report.notes.push_back(
+        fmt::format("no figures with the measured offset of {} s: {}", *offset, error.what()));
+  }
 }
 
 int run_eval(const EvalArguments& arguments) {

@@ -64,10 +64,8 @@ TEST_F(EvalCommand, PrintsATable) {
 }
 
 TEST_F(EvalCommand, ComparesTheClocks) {
-  std::vector<StampedPose> late = swaying(12);
-  for (StampedPose& pose : late) pose.stamp = Timestamp(pose.stamp.nanoseconds() + 30000000);
   write_tum(reference_, {swaying(12), {}});
-  write_tum(estimate_, {late, {}});
+  write_tum(estimate_, {by_late_clock(swaying(12), 30), {}});
   const auto table = eval({"--time-offset", "auto", "--max-diff", "0.05"}).output;
   EXPECT_THAT(table, HasSubstr("the offset between the clocks at which the rotations agree best"));
   EXPECT_THAT(table, HasSubstr("stamps of the estimate shifted by -0.0"));
@@ -77,6 +75,7 @@ TEST_F(EvalCommand, ComparesTheClocks) {
   EXPECT_NEAR(best["time_offset_s"].get<double>(), -0.03, 1e-3);
   EXPECT_LT(best["ate"]["translation_m"]["rmse"],
             0.1 * json["ate"]["translation_m"]["rmse"].get<double>());
+  EXPECT_EQ(eval({"--time-offset", "+0.01"}).exit_code, 0);
   expect_error(eval({"--time-offset", "soon"}), 2,
                "--time-offset 'soon': expected seconds or auto");
 }

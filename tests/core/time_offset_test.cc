@@ -8,14 +8,6 @@
 namespace cvo_slam {
 namespace {
 
-/// Returns the poses by a clock that is late by so many milliseconds.
-std::vector<StampedPose> by_late_clock(std::vector<StampedPose> poses, std::int64_t ms) {
-  for (StampedPose& pose : poses) {
-    pose.stamp = Timestamp(pose.stamp.nanoseconds() + 1000000 * ms);
-  }
-  return poses;
-}
-
 TEST(TimeOffset, OfTheEstimatesClockIsMeasured) {
   const auto reference = swaying(20);
   for (const int ms : {-210, -37, 0, 19, 333}) {

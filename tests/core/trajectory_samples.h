@@ -38,6 +38,14 @@ inline std::vector<StampedPose> swaying(int seconds, std::int64_t first_ms = 0) 
   return poses;
 }
 
+/// Returns the poses by a clock that is late by so many milliseconds.
+inline std::vector<StampedPose> by_late_clock(std::vector<StampedPose> poses, std::int64_t ms) {
+  for (StampedPose& pose : poses) {
+    pose.stamp = Timestamp(pose.stamp.nanoseconds() + 1000000 * ms);
+  }
+  return poses;
+}
+
 /// Poses at x = 0, step, 2 step, ... without rotation, 100 ms apart.
 inline std::vector<StampedPose> line(int count, double step = 1) {
   std::vector<StampedPose> poses;
