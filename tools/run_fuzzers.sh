@@ -23,17 +23,22 @@ one() {
   "$folder/fuzz_$name" -max_total_time="$seconds" -rss_limit_mb=512 -malloc_limit_mb=512 -timeout=10 \
     -max_len=65536 -print_final_stats=1 -artifact_prefix="$folder/found/$name-" \
     "$folder/corpus/$name" "tests/fuzz/corpus/$name" > "$log" 2>&1 || result=BROKEN
+  # The second line of `times` is of the children; it is read from a file because a pipe would be
+  # another child.
+  times > "$log.times"
+  cpu=$(awk 'NR == 2 { split($1, user, /[ms]/); split($2, system, /[ms]/)
+                       printf "%.0f", 60 * (user[1] + system[1]) + user[2] + system[2] }' "$log.times")
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   memory=$(sed -n 's/^stat::peak_rss_mb: *//p' "$log")
-  echo "| $name | $seconds | ${executions:-?} | ${memory:-?} | $result |"
+  echo "| $name | $seconds | $cpu | ${executions:-?} | ${memory:-?} | $result |"
   [ $result = clean ]
 }
 
 status=0
 running=0
 pids=
-echo '| parser | seconds | executions | memory [MB] | result |'
-echo '|---|---|---|---|---|'
+echo '| parser | seconds | CPU seconds | executions | memory [MB] | result |'
+echo '|---|---|---|---|---|---|'
 for fuzzer in "$folder"/fuzz_*; do
   name=${fuzzer##*/fuzz_}
   [ -d "tests/fuzz/corpus/$name" ] || continue
