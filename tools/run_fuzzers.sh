@@ -5,8 +5,9 @@
 # run_fuzzers.sh <folder of the fuzzers> [seconds] [at a time]
 #
 # Runs every fuzzer for some seconds from the corpus in tests/fuzz/corpus, as many at a time as there
-# are cores, and prints a line of a Markdown table for each: executions, largest memory, result. What
-# it finds stays in <folder>/found. Fails if a parser broke.
+# are cores, and prints a line of a Markdown table for each: wall and CPU seconds, executions, largest
+# memory, result. What it finds stays in <folder>/found. Fails if a parser broke. A fuzzer whose log is
+# in <folder> from a run of that length is not run again, so that the script can be interrupted.
 set -eu
 
 folder=$(realpath "$1")
@@ -14,42 +15,49 @@ seconds=${2:-60}
 at_a_time=${3:-$(nproc)}
 cd "$(dirname "$0")/.."
 mkdir -p "$folder/found" "$folder/corpus"
+# Freed memory is kept to catch its use; 256 MB of it, as usual, would count as the parser's.
+export ASAN_OPTIONS="quarantine_size_mb=32${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 
-one() {
-  name=$1
-  mkdir -p "$folder/corpus/$name"
-  log=$folder/$name.log
-  result=clean
-  "$folder/fuzz_$name" -max_total_time="$seconds" -rss_limit_mb=512 -malloc_limit_mb=512 -timeout=10 \
-    -max_len=65536 -print_final_stats=1 -artifact_prefix="$folder/found/$name-" \
-    "$folder/corpus/$name" "tests/fuzz/corpus/$name" > "$log" 2>&1 || result=BROKEN
-  # The second line of `times` is of the children; it is read from a file because a pipe would be
-  # another child.
-  times > "$log.times"
-  cpu=$(awk 'NR == 2 { split($1, user, /[ms]/); split($2, system, /[ms]/)
-                       printf "%.0f", 60 * (user[1] + system[1]) + user[2] + system[2] }' "$log.times")
-  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-  memory=$(sed -n 's/^stat::peak_rss_mb: *//p' "$log")
-  echo "| $name | $seconds | $cpu | ${executions:-?} | ${memory:-?} | $result |"
-  [ $result = clean ]
+ran() { grep -q "^Done .* in $((seconds + 1)) second" "$folder/$1.log" 2> /dev/null; }
+
+run() {
+  mkdir -p "$folder/corpus/$1"
+  "$folder/fuzz_$1" -max_total_time="$seconds" -rss_limit_mb=512 -malloc_limit_mb=512 -timeout=10 \
+    -max_len=65536 -print_final_stats=1 -artifact_prefix="$folder/found/$1-" \
+    "$folder/corpus/$1" "tests/fuzz/corpus/$1" > "$folder/$1.log" 2>&1 || true
+  times > "$folder/$1.times" # in a file, because in a pipe it would be another process's
 }
 
-status=0
-running=0
-pids=
-echo '| parser | seconds | CPU seconds | executions | memory [MB] | result |'
-echo '|---|---|---|---|---|---|'
-for fuzzer in "$folder"/fuzz_*; do
+# The CPU seconds of the child: the second line of `times`, "1m2.3s 0m4.5s".
+cpu_seconds() {
+  awk 'NR == 2 { split($1, a, /[ms]/); split($2, b, /[ms]/)
+                 printf "%.0f", 60 * (a[1] + b[1]) + a[2] + b[2] }' "$folder/$1.times"
+}
+
+figure() { sed -n "s/^stat::$2: *//p" "$folder/$1.log"; }
+
+names=$(for fuzzer in "$folder"/fuzz_*; do
   name=${fuzzer##*/fuzz_}
-  [ -d "tests/fuzz/corpus/$name" ] || continue
-  one "$name" &
-  pids="$pids $!"
+  if [ -d "tests/fuzz/corpus/$name" ]; then echo "$name"; fi
+done)
+running=0
+for name in $names; do
+  ran "$name" && continue
+  run "$name" &
   running=$((running + 1))
   if [ "$running" -ge "$at_a_time" ]; then
-    for pid in $pids; do wait "$pid" || status=1; done
-    pids=
+    wait
     running=0
   fi
 done
-for pid in $pids; do wait "$pid" || status=1; done
+wait
+
+status=0
+echo '| parser | seconds | CPU seconds | executions | memory [MB] | result |'
+echo '|---|---|---|---|---|---|'
+for name in $names; do
+  if ran "$name"; then result=clean; else result=BROKEN status=1; fi
+  echo "| $name | $seconds | $(cpu_seconds "$name") | $(figure "$name" number_of_executed_units) |" \
+    "$(figure "$name" peak_rss_mb) | $result |"
+done
 exit $status
