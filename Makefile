@@ -73,6 +73,10 @@ suite: program ## Run sequences, modes and perturbations, write docs/results/sui
 foreign-input: program ## Give the program inputs of others, write docs/results/foreign-input.md
 	bench/foreign_input.py $(PROGRAM)
 
+.PHONY: localization
+localization: build-release ## Locate recordings in maps of others, write docs/results/localization.md
+	/usr/bin/python3 bench/localization.py build/release
+
 .PHONY: pictures
 pictures: program $(ROOM)/groundtruth.txt ## Draw the pictures of docs/guide/pictures.md and README.md
 	bench/draw_pictures.sh $(PROGRAM) $(ROOM)

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +19,7 @@
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/io/camera_check.h"
 #include "cvo_slam/io/dataset.h"
+#include "cvo_slam/io/map_files.h"
 
 namespace cvo_slam {
 namespace {
@@ -135,7 +139,57 @@ void print_text(const Dataset& data, const DepthClock& clock,
   for (const auto& note : notes) fmt::print("note       {}\n", note);
 }
 
+/// Number of edges of a kind.
+std::size_t count_edges(const PoseGraph& graph, EdgeKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(graph.edges().begin(), graph.edges().end(),
+                    [kind](const PoseGraphEdge& edge) { return edge.kind == kind; }));
+}
+
+/// Describes a map that `run --save-map` wrote.
+int run_map_info(const InfoArguments& arguments) {
+  const std::filesystem::path& folder = arguments.sequence.dataset;
+  std::vector<std::string> notes;
+  const Map map = read_map(folder, notes);
+  const MapMemory& memory = *map.memory;
+  std::uintmax_t bytes = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) bytes += file.file_size();
+  std::size_t words = 0;
+  for (const KeyframeMemory& keyframe : memory.keyframes)
+    words += keyframe.features.empty() ? 0 : 1;
+  const auto component_of = map.graph.components();
+  const std::size_t components =
+      std::set<std::size_t>(component_of.begin(), component_of.end()).size();
+  const nlohmann::json json = {{"kind", "map"},
+                               {"camera", camera_json(memory.camera)},
+                               {"keyframes", memory.keyframes.size()},
+                               {"keyframes_with_features", words},
+                               {"submaps", components},
+                               {"odometry_edges", count_edges(map.graph, EdgeKind::kOdometry)},
+                               {"proximity_edges", count_edges(map.graph, EdgeKind::kProximity)},
+                               {"loop_edges", count_edges(map.graph, EdgeKind::kLoop)},
+                               {"points", map.points.size()},
+                               {"bytes", bytes},
+                               {"notes", notes}};
+  if (arguments.json) {
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    return kDone;
+  }
+  fmt::print("kind       map of cvo_slam, to go on from it (run --load-map)\n");
+  print_camera(memory.camera);
+  fmt::print("keyframes  {}, {} of them with features; in {} submap{}\n", memory.keyframes.size(),
+             words, components, components == 1 ? "" : "s that no edge joins");
+  fmt::print("graph      {} odometry edges, {} proximity edges, {} loop edges\n",
+             count_edges(map.graph, EdgeKind::kOdometry),
+             count_edges(map.graph, EdgeKind::kProximity), count_edges(map.graph, EdgeKind::kLoop));
+  fmt::print("points     {}\nsize       {:.1f} MB\n", map.points.size(),
+             1e-6 * static_cast<double>(bytes));
+  for (const auto& note : notes) fmt::print("note       {}\n", note);
+  return kDone;
+}
+
 int run_info(const InfoArguments& arguments) {
+  if (is_map_folder(arguments.sequence.dataset)) return run_map_info(arguments);
   const TimedSequence timed = arguments.check ? open_timed(arguments.sequence, TrackerOptions())
                                               : open_untimed(arguments.sequence);
   const auto& data = timed.data;
@@ -164,7 +218,7 @@ int run_info(const InfoArguments& arguments) {
 
 void add_info_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<InfoArguments>();
-  Command command(app, "info", "Describe a data set");
+  Command command(app, "info", "Describe a data set, or a map that run --save-map wrote");
   arguments->sequence.add_to(command);
   command.add(
       "--check", &arguments->check,

@@ -252,6 +252,8 @@ Json json_of(const RunReport& report) {
                  {"read_ms_median", median_cost(run, &FrameCost::read_ms)},
                  {"track_ms_median", median_cost(run, &FrameCost::track_ms)},
                  {"peak_memory_mb", run.peak_memory_mb}}}};
+  json["localized_frames"] = nullptr;
+  if (report.map_use) json["localized_frames"] = report.localized_frames();
   json["first_lost"] = nullptr;
   if (!report.trajectory.lost.empty()) {
     const LostFrame& lost = report.trajectory.lost.front();

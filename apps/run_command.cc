@@ -5,9 +5,11 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -22,6 +24,7 @@
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/loop/vocabulary_files.h"
@@ -40,6 +43,9 @@ struct RunArguments {
   bool dump_config = false;
   bool no_map = false;
   bool overwrite = false;
+  std::filesystem::path load_map;  // empty = none
+  bool localize = false;
+  bool save_map = false;
   LoopPictures loop_pictures = LoopPictures::kAccepted;
 };
 
@@ -96,7 +102,55 @@ std::shared_ptr<const Vocabulary> vocabulary_of(const RunArguments& arguments) {
   return std::make_shared<const Vocabulary>(read_vocabulary(arguments.vocabulary));
 }
 
+/// Throws OptionError if arguments that have to do with maps do not fit one another.
+void check_map_arguments(const RunArguments& arguments) {
+  if (arguments.localize && arguments.load_map.empty()) {
+    throw OptionError("--localize needs the map to locate the camera in: --load-map <folder>");
+  }
+  if (arguments.localize && arguments.save_map) {
+    throw OptionError("--localize leaves the map as it is, so that there is none to save");
+  }
+  if (!arguments.load_map.empty() && arguments.mode != "slam") {
+    throw OptionError(fmt::format("--load-map is for --mode slam, not {}", arguments.mode));
+  }
+  if (arguments.save_map && arguments.mode == "odometry") {
+    throw OptionError("--save-map is for --mode slam or graph, not odometry");
+  }
+}
+
+/// Reads the map that --load-map names, for the camera of the sequence.
+std::optional<LoadedMap> loaded_map(const RunArguments& arguments, const Camera& camera,
+                                    std::vector<std::string>& notes) {
+  if (arguments.load_map.empty()) return std::nullopt;
+  LoadedMap loaded{read_map(arguments.load_map, notes),
+                   arguments.localize ? MapUse::kLocalize : MapUse::kExtend};
+  if (!loaded.map.memory) {
+    throw InputError(arguments.load_map,
+                     "is a map for pictures only; make one with `cvo_slam run --save-map`, in the "
+                     "folder map of the run");
+  }
+  Camera& made_with = loaded.map.memory->camera;
+  if (!is_same_camera(made_with, camera)) {
+    throw InputError(arguments.load_map,
+                     fmt::format("was made with another camera, '{}'; the recording has '{}': "
+                                 "compare camera.yaml there with `cvo_slam info`",
+                                 made_with.name, camera.name));
+  }
+  made_with = camera;  // its depth offset is that of the recording
+  return loaded;
+}
+
+/// Adds the points that this run saw, and those of the map that it went on from, to the map that it
+/// saves.
+void add_surface(RunReport& report, const std::optional<LoadedMap>& loaded) {
+  std::vector<MapPoint>& points = report.saved_map->points;
+  if (loaded) points = loaded->map.points;
+  const auto& seen = report.map.map.points;
+  points.insert(points.end(), seen.begin(), seen.end());
+}
+
 int run(const RunArguments& arguments) {
+  check_map_arguments(arguments);
   ProgramOptions options = arguments.tracking.options();
   options.slam.loops.enabled = arguments.mode == "slam";
   if (arguments.dump_config) {
@@ -107,17 +161,22 @@ int run(const RunArguments& arguments) {
   const auto vocabulary = vocabulary_of(arguments);
   const TimedSequence timed = open_timed(arguments.tracking.sequence, options.slam.tracker);
   const auto& data = timed.data;
+  std::vector<std::string> notes = data->notes();
+  const auto loaded = loaded_map(arguments, data->camera(), notes);
   const FrameRange range = arguments.tracking.range(data->size());
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
   prepare_folder(folder, arguments.overwrite);
   write_tum(folder / "trajectory.txt", {});  // proves that it can, before hours of work
 
   RunReport report{
-      *data,        timed.clock, range, options,      arguments.mode, {},
-      std::nullopt, {},          {},    std::nullopt, data->notes(),  arguments.loop_pictures};
-  const RunControl control{arguments.quiet, arguments.no_map ? 0 : options.map.pixel_step};
+      *data,        timed.clock, range, options,      arguments.mode,   {},
+      std::nullopt, {},          {},    std::nullopt, std::move(notes), arguments.loop_pictures};
+  const RunControl control{arguments.quiet, arguments.no_map ? 0 : options.map.pixel_step,
+                           arguments.save_map};
+  if (loaded) report.map_use = loaded->use;
   if (arguments.mode != "odometry") {
-    SlamRun slam = run_slam(*data, range, options, vocabulary, control);
+    SlamRun slam = run_slam(*data, range, options, vocabulary, control, loaded);
+    report.saved_map = std::move(slam.map);
     report.run = std::move(slam.run);
     report.trajectory = std::move(slam.trajectory);
     report.graph = std::move(slam.graph);
@@ -127,6 +186,7 @@ int run(const RunArguments& arguments) {
   }
   report.map = make_run_map(report.run, report.graph, report.trajectory, data->camera(),
                             options.map, options.slam.tracker.threads);
+  if (report.saved_map) add_surface(report, loaded);
   report.evaluation = evaluate_run(*data, report.trajectory, report.notes);
   if (const auto warning = agreement_warning(*data, report.trajectory)) {
     report.notes.push_back(*warning);
@@ -168,6 +228,14 @@ void add_run_command(CLI::App& app, Action& action) {
               "Print the effective options as YAML with their documentation, and stop");
   command.add("--no-map", &arguments->no_map,
               "Write neither map.ply nor map.png: saves their memory and time");
+  command.add("--save-map", &arguments->save_map,
+              "Also write the folder map, from which --load-map goes on");
+  command.add(
+      "--load-map", &arguments->load_map,
+      "Go on from a map that --save-map wrote, with the same camera: new frames add to it, in "
+      "its world as soon as enough keyframes say where they are");
+  command.add("--localize", &arguments->localize,
+              "Leave the map of --load-map as it is, and only locate the frames in it");
   command.add_choice<LoopPictures, LoopPictures>(
       "--loop-pictures", &arguments->loop_pictures,
       {{"none", LoopPictures::kNone},

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "cvo_slam/apps/evaluation_plots.h"
 #include "cvo_slam/apps/graph_report.h"
@@ -12,6 +14,7 @@
 #include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/trajectory_files.h"
 #include "cvo_slam/plot/trajectory_plot.h"
@@ -40,6 +43,7 @@ constexpr std::array kFiles = {
 
 /// Tells the folder of a run from one with files of the same names.
 constexpr const char* kMark = ".cvo_slam_run";
+constexpr const char* kMapFolder = "map";
 
 /// Returns the poses that track() returned at the time, of all submaps.
 Trajectory answers_of_track(const std::vector<FrameRecord>& records) {
@@ -58,6 +62,19 @@ std::vector<NamedFigure> figures_of(const RunReport& report) {
   const auto& poses = report.trajectory.poses;
   if (!report.evaluation) return {{"trajectory", trajectory_figure({}, poses)}};
   return evaluation_figures(report.data.reference(), poses, *report.evaluation);
+}
+
+/// The candidates whose images are those of the sequence, by its frames: not those with a keyframe
+/// of a map that was loaded.
+std::vector<LoopCandidate> candidates_in_sequence(const GraphResult& graph) {
+  std::vector<LoopCandidate> candidates;
+  for (LoopCandidate candidate : graph.candidates) {
+    if (candidate.from < graph.first_number) continue;
+    candidate.from -= graph.first_number;
+    candidate.to -= graph.first_number;
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
 }
 
 /// Removes the files that an earlier run left in the folder.
@@ -97,11 +114,12 @@ void write_run(const std::filesystem::path& folder, RunReport& report) {
   RunPictures pictures;
   if (report.graph) {
     write_loops(folder, *report.graph);
-    pictures.loops = write_loop_pictures(folder, report.data, report.graph->candidates,
+    pictures.loops = write_loop_pictures(folder, report.data, candidates_in_sequence(*report.graph),
                                          report.loop_pictures, kMostLoopsOnPage, report.notes);
   }
   pictures.map =
       write_run_map(folder, report.map, report.trajectory, report.data.reference(), report.notes);
+  if (report.saved_map) write_map(folder / kMapFolder, *report.saved_map);
   write_file(folder / "report.json", json_text(report) + "\n");
   pictures.figures = figures_of(report);
   write_figures(folder, pictures.figures);

@@ -18,8 +18,10 @@ std::map<Timestamp, SE3> poses_by_stamp(const Trajectory& trajectory) {
   return poses;
 }
 
+/// Returns none if the run went on from a map, because the stamps of two runs are in no order.
 std::vector<StampedPose> graph_keyframes(const GraphResult& graph) {
   std::vector<StampedPose> keyframes;
+  if (graph.first_number > 0) return keyframes;
   for (const Keyframe& keyframe : graph.keyframes) {
     keyframes.push_back({keyframe.stamp, keyframe.T_world_camera});
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/apps/run_report.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/graph_report.h"
@@ -55,7 +57,19 @@ double median_cost(const OdometryRun& run, double FrameCost::*cost) {
 
 double RunReport::lost_share() const {
   if (run.records.empty()) return 0;
-  return static_cast<double>(trajectory.lost.size()) / static_cast<double>(run.records.size());
+  std::size_t lost = trajectory.lost.size();
+  if (map_use == MapUse::kLocalize) {
+    lost = static_cast<std::size_t>(std::count_if(
+        run.records.begin(), run.records.end(),
+        [](const FrameRecord& record) { return record.status == TrackingStatus::kLost; }));
+  }
+  return static_cast<double>(lost) / static_cast<double>(run.records.size());
+}
+
+std::size_t RunReport::localized_frames() const {
+  return static_cast<std::size_t>(
+      std::count_if(run.records.begin(), run.records.end(),
+                    [](const FrameRecord& record) { return record.localized; }));
 }
 
 std::vector<std::string> RunReport::all_notes() const {
@@ -84,6 +98,13 @@ std::string to_table(const RunReport& report) {
     const LostFrame& first = report.trajectory.lost.front();
     table += fmt::format("{:<12} at {}: {}\n", "first lost", first.stamp.to_string(), first.reason);
   }
+  if (report.map_use && !run.records.empty()) {
+    const std::size_t localized = report.localized_frames();
+    table +=
+        fmt::format("{:<12} {:.1f} % ({} of {} frames)\n", "localized",
+                    100 * static_cast<double>(localized) / static_cast<double>(run.records.size()),
+                    localized, run.records.size());
+  }
   table += fmt::format("{:<12} {}\n", "keyframes", run.keyframes());
   if (report.graph) table += to_table(*report.graph);
   if (report.map.has_points) {
@@ -98,15 +119,16 @@ std::string to_table(const RunReport& report) {
 std::string frames_csv(const OdometryRun& run) {
   std::string csv =
       "index,stamp,status,reason,submap,keyframe,keyframe_reason,points,registration,overlap,"
-      "cos_theta,iterations,read_ms,track_ms\n";
+      "cos_theta,iterations,read_ms,track_ms,localized\n";
   for (std::size_t i = 0; i < run.records.size(); ++i) {
     const FrameRecord& r = run.records[i];
-    csv += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{:.3f},{:.3f}\n", r.index, r.stamp.to_string(),
-        r.status == TrackingStatus::kTracked ? "tracked" : "lost", csv_quoted(r.reason), r.submap,
-        r.keyframe, csv_quoted(r.keyframe_reason), r.points, registration_word(r.registration),
-        r.registration.overlap, r.registration.cos_theta, r.registration.iterations,
-        run.costs[i].read_ms, run.costs[i].track_ms);
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{:.3f},{:.3f},{}\n", r.index,
+                    r.stamp.to_string(), r.status == TrackingStatus::kTracked ? "tracked" : "lost",
+                    csv_quoted(r.reason), r.submap, r.keyframe, csv_quoted(r.keyframe_reason),
+                    r.points, registration_word(r.registration), r.registration.overlap,
+                    r.registration.cos_theta, r.registration.iterations, run.costs[i].read_ms,
+                    run.costs[i].track_ms, r.localized ? 1 : 0);
   }
   return csv;
 }

@@ -31,8 +31,14 @@ struct RunReport {
   std::vector<std::string> notes;
   LoopPictures loop_pictures = LoopPictures::kAccepted;
 
-  /// Returns the share of frames without a pose in the trajectory, 0 to 1.
+  std::optional<Map> saved_map = std::nullopt;   ///< to be written into the folder map
+  std::optional<MapUse> map_use = std::nullopt;  ///< of a map that the run started from
+
+  /// Returns the share of frames without a pose in the trajectory, 0 to 1. With a map that is only
+  /// used to locate frames, those that were tracked outside it are not lost.
   [[nodiscard]] double lost_share() const;
+  /// Number of frames with a pose in the map that the run started from.
+  [[nodiscard]] std::size_t localized_frames() const;
   /// Returns the notes, with the notes and warnings of the evaluation.
   [[nodiscard]] std::vector<std::string> all_notes() const;
 };

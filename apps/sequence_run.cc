@@ -168,15 +168,27 @@ std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajecto
   }
 }
 
+std::size_t LoadedMap::first_number() const {
+  std::size_t number = 0;
+  for (const KeyframeMemory& keyframe : map.memory->keyframes) {
+    number = std::max(number, keyframe.number + 1);
+  }
+  return number;
+}
+
 SlamRun run_slam(const Dataset& data, const FrameRange& range, const ProgramOptions& options,
-                 const std::shared_ptr<const Vocabulary>& vocabulary, const RunControl& control) {
-  Slam slam(data.camera(), options.slam, vocabulary);
+                 const std::shared_ptr<const Vocabulary>& vocabulary, const RunControl& control,
+                 const std::optional<LoadedMap>& loaded) {
+  Slam slam = loaded ? Slam(loaded->map, options.slam, loaded->use, vocabulary)
+                     : Slam(data.camera(), options.slam, vocabulary);
   SlamRun result;
   result.run = run_frames(
       data, range, [&](const RgbdFrame& frame) { return slam.track(frame); },
       [&] { slam.finish(); }, control);
   result.trajectory = slam.trajectory(TrajectoryView::kFinal);
-  result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(), slam.statistics()};
+  result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(), slam.statistics(),
+                  loaded ? loaded->first_number() : 0};
+  if (control.keep_map) result.map = slam.map();
   return result;
 }
 

@@ -47,12 +47,22 @@ struct FrameCost {
   double track_ms = 0;  ///< time of tracking
 };
 
+/// The map that a run starts from.
+struct LoadedMap {
+  Map map;  ///< with the camera of the sequence
+  MapUse use = MapUse::kExtend;
+
+  /// Number of the keyframe that the frame with the index 0 would be.
+  [[nodiscard]] std::size_t first_number() const;
+};
+
 /// How a run goes, whatever its tracker.
 struct RunControl {
   bool quiet = false;  ///< show no progress
   /// Distance between the pixels of a keyframe that are kept for a map (core/point_fusion.h) [px];
   /// 0 = keep none.
   int kept_pixel_step = 0;
+  bool keep_map = false;  ///< return the map of a SlamRun
 };
 
 /// CPU time of the process so far [s].
@@ -80,6 +90,7 @@ struct GraphResult {
   std::vector<Keyframe> keyframes;
   std::vector<LoopCandidate> candidates;
   GraphStatistics statistics;
+  std::size_t first_number = 0;  ///< of a keyframe with the frame index 0; smaller ones were loaded
 };
 
 /// A sequence as Slam went through it.
@@ -87,6 +98,7 @@ struct SlamRun {
   OdometryRun run;        ///< has the online poses
   Trajectory trajectory;  ///< the final one
   GraphResult graph;
+  std::optional<Map> map;  ///< if it was asked for
 };
 
 /// Runs the frames of a range through the tracker alone. Ends early, with what there is, if the
@@ -96,11 +108,12 @@ struct SlamRun {
                                        const TrackerOptions& options, const RunControl& control);
 
 /// Runs the frames of a range through Slam, and ends early in the same way. A null vocabulary means
-/// the built-in one.
+/// the built-in one; with `loaded`, the run goes on from that map.
 [[nodiscard]] SlamRun run_slam(const Dataset& data, const FrameRange& range,
                                const ProgramOptions& options,
                                const std::shared_ptr<const Vocabulary>& vocabulary,
-                               const RunControl& control);
+                               const RunControl& control,
+                               const std::optional<LoadedMap>& loaded = std::nullopt);
 
 /// Returns a warning if a few frames re-project badly into each other by the reference, or by the
 /// estimate if there is none.

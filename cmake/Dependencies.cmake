@@ -11,6 +11,7 @@ set(CVO_SLAM_DEPENDENCIES
     "hwy"
     "OpenCV COMPONENTS core calib3d features2d imgproc imgcodecs"
     "TBB"
+    "ZLIB"
     "yaml-cpp")
 
 # Packages of the back-end alone: embedders who do not name this component do not need them.

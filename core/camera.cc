@@ -183,4 +183,12 @@ void Camera::check() const {
   check_noise(noise);
 }
 
+bool is_same_camera(const Camera& a, const Camera& b) {
+  const auto is_same = [](const PinholeCamera& c, const PinholeCamera& d) {
+    return c.width == d.width && c.height == d.height && c.fx == d.fx && c.fy == d.fy &&
+           c.cx == d.cx && c.cy == d.cy && c.distortion == d.distortion;
+  };
+  return is_same(a.color, b.color) && a.depth_scale == b.depth_scale;
+}
+
 }  // namespace cvo_slam

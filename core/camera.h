@@ -95,4 +95,8 @@ struct Camera {
   void check() const;
 };
 
+/// Returns true if two cameras make the same images of the same scene: whatever their names, depth
+/// offsets and noise are.
+[[nodiscard]] bool is_same_camera(const Camera& a, const Camera& b);
+
 }  // namespace cvo_slam

@@ -43,4 +43,11 @@ class OutputError : public Error {
   OutputError(const std::filesystem::path& file, const std::string& problem);
 };
 
+/// A function was called at a time when it cannot work: on an object that was moved from, or on one
+/// in which another thread is.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace cvo_slam

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include "cvo_slam/core/error.h"
 
@@ -48,6 +49,14 @@ fs::path resolved(const fs::path& file) {
   return problem ? file : target;
 }
 
+/// Returns true for UTF-16 of either byte order. Without a byte order mark it shows by its zeros:
+/// one of the first two bytes, because these formats begin with a character of ASCII.
+bool is_utf16(std::string_view bytes) {
+  if (bytes.size() < 2) return false;
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return true;
+  return (bytes[0] == '\0') != (bytes[1] == '\0');
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& file) {
@@ -70,6 +79,18 @@ std::string read_file(const fs::path& file) {
   return bytes;
 }
 
+std::string read_text_file(const std::filesystem::path& file) {
+  std::string bytes = read_file(file);
+  bytes.erase(0, bytes.size() - text_of(bytes, file).size());
+  return bytes;
+}
+
+std::string_view text_of(std::string_view bytes, const std::filesystem::path& file) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (is_utf16(bytes)) throw InputError(file, "is UTF-16 text; save it as UTF-8");
+  return bytes.substr(bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+}
+
 void write_file(const fs::path& file, std::string_view bytes) {
   const fs::path place = resolved(file);
   std::error_code problem;
@@ -88,6 +109,11 @@ void write_file(const fs::path& file, std::string_view bytes) {
   const std::string reason = problem.message();
   fs::remove(aside, problem);
   throw OutputError(file, fmt::format("cannot be replaced: {}; check its permissions", reason));
+}
+
+std::uint32_t crc32_of(std::string_view bytes) {
+  const auto* const first = reinterpret_cast<const Bytef*>(bytes.data());
+  return static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), first, bytes.size()));
 }
 
 bool make_folder(const fs::path& folder) {

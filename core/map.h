@@ -4,8 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -16,6 +19,7 @@
 #include "cvo_slam/core/parallel.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/core/timestamp.h"
 #include "cvo_slam/core/trajectory.h"
 
 namespace cvo_slam {
@@ -42,13 +46,38 @@ struct MapPoint {
   return place.unaryExpr([](double value) { return kNear * std::round(value / kNear) + 0.0; });
 }
 
+/// What a map remembers of a keyframe so that images can be recognised in it and registered to it.
+struct KeyframeMemory {
+  std::size_t number = 0;  ///< the id of its node in the graph
+  Timestamp stamp;
+  int submap = 0;        ///< in which it was tracked; edges may join it with others
+  std::string points;    ///< its cloud, as bytes that slam/ makes and reads
+  std::string features;  ///< its ORB features, likewise; empty if places are not recognised
+};
+
+/// What Slam needs besides the graph to go on from a map.
+struct MapMemory {
+  Camera camera;
+  std::vector<KeyframeMemory> keyframes;  ///< in the order of the graph's nodes
+  /// Sum and number of cos_theta over the registrations of consecutive keyframes.
+  double cos_theta_sum = 0;
+  std::size_t cos_theta_count = 0;
+  /// crc32_of() the bytes of the vocabulary that the map was made with; 0 if none was. Another
+  /// one serves too: words are made of the features when the map is read.
+  std::uint32_t vocabulary = 0;
+};
+
 /// A map: the poses of the keyframes, the measurements between them, and the surface they saw.
 struct Map {
-  std::vector<StampedPose> keyframes;  ///< in ascending order of stamps
+  /// In ascending order of stamps, with `memory` in the order of the graph; none if only the graph
+  /// knows them.
+  std::vector<StampedPose> keyframes;
   /// Node i is keyframe i and has its pose. Without nodes if nothing but the poses is known.
   PoseGraph graph;
   std::vector<MapPoint> points;
   Vector3 points_origin = Vector3::Zero();  ///< added to the points' positions [m]
+  /// Empty in a map that only serves pictures.
+  std::optional<MapMemory> memory = std::nullopt;
 };
 
 /// How the points of a map are computed from frames.

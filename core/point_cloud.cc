@@ -36,16 +36,4 @@ bool FieldOfView::contains(const Vector3& point) const {
   return radius2 <= max_radius2_ && camera_.contains(camera_.project(point));
 }
 
-double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
-                     const FieldOfView& field_of_view) {
-  constexpr std::size_t kPoints = 100;
-  const std::size_t n = std::min(kPoints, cloud.size());
-  if (n == 0) return 0;
-  std::size_t visible = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (field_of_view.contains(T_camera_cloud * cloud.position(i))) ++visible;
-  }
-  return static_cast<double>(visible) / static_cast<double>(n);
-}
-
 }  // namespace cvo_slam

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -65,8 +66,19 @@ class FieldOfView {
 
 /// Returns the share of a cloud's points that lie in a camera's image, whatever stands in between.
 /// Only its first hundred points count: those of a selected cloud are spread over the image as all
-/// are, and a hundred give the share within a few hundredths. 0 for a cloud without points.
-[[nodiscard]] double visible_share(const PointCloud& cloud, const SE3& T_camera_cloud,
-                                   const FieldOfView& field_of_view);
+/// are, and a hundred give the share within a few hundredths. 0 for a cloud without points. `Cloud`
+/// has size() and position(i), as PointCloud has.
+template <typename Cloud>
+[[nodiscard]] double visible_share(const Cloud& cloud, const SE3& T_camera_cloud,
+                                   const FieldOfView& field_of_view) {
+  constexpr std::size_t kPoints = 100;
+  const std::size_t n = std::min(kPoints, cloud.size());
+  if (n == 0) return 0;
+  std::size_t visible = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (field_of_view.contains(T_camera_cloud * cloud.position(i))) ++visible;
+  }
+  return static_cast<double>(visible) / static_cast<double>(n);
+}
 
 }  // namespace cvo_slam

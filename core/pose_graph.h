@@ -128,6 +128,10 @@ class PoseGraph {
 /// perturbation of its measurement, T_from_to exp(xi), which is what registration returns.
 [[nodiscard]] Matrix6 edge_information(const SE3& T_from_to, const Matrix6& information);
 
+/// Returns the information of a right perturbation of an edge's measurement: the inverse of
+/// edge_information().
+[[nodiscard]] Matrix6 measurement_information(const PoseGraphEdge& edge);
+
 /// Returns S with S^T S = information, so that |S r|^2 = r^T information r. S is upper triangular
 /// if the matrix is positive definite. `information` must be valid for an edge.
 [[nodiscard]] Matrix6 square_root_of_information(const Matrix6& information);

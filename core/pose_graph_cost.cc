@@ -58,14 +58,28 @@ Matrix6 square_root_of_information(const Matrix6& information) {
          eigen.eigenvectors().transpose();
 }
 
+namespace {
+
+/// The derivative of an edge's residual by a right perturbation of its measurement. To first order
+/// T exp([v; w]) moves the estimate by R v and rotates it by R w, both seen in the frame `from`.
+/// The residual has the rotation of the measurement relative to that of the estimate: -R w.
+Matrix6 residual_of_tangent(const SE3& T_from_to) {
+  Matrix6 jacobian = Matrix6::Zero();
+  jacobian.topLeftCorner<3, 3>() = T_from_to.rotation();
+  jacobian.bottomRightCorner<3, 3>() = -T_from_to.rotation();
+  return jacobian;
+}
+
+}  // namespace
+
 Matrix6 edge_information(const SE3& T_from_to, const Matrix6& information) {
-  // To first order T exp([v; w]) moves the estimate by R v and rotates it by R w, both seen in the
-  // frame `from`. The residual has the rotation of the measurement relative to that of the
-  // estimate: -R w.
-  Matrix6 residual_of_tangent = Matrix6::Zero();
-  residual_of_tangent.topLeftCorner<3, 3>() = T_from_to.rotation();
-  residual_of_tangent.bottomRightCorner<3, 3>() = -T_from_to.rotation();
-  return residual_of_tangent * information * residual_of_tangent.transpose();
+  const Matrix6 jacobian = residual_of_tangent(T_from_to);  // orthogonal
+  return jacobian * information * jacobian.transpose();
+}
+
+Matrix6 measurement_information(const PoseGraphEdge& edge) {
+  const Matrix6 jacobian = residual_of_tangent(edge.T_from_to);
+  return jacobian.transpose() * edge.information * jacobian;
 }
 
 }  // namespace cvo_slam

@@ -3,6 +3,7 @@
 #include "cvo_slam/frontend/registration.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/exclusive_access.h"
 #include "cvo_slam/frontend/depth_uncertainty_internal.h"
 #include "cvo_slam/frontend/kernel_shape_internal.h"
 #include "cvo_slam/frontend/solvers_internal.h"
@@ -17,6 +19,10 @@
 namespace cvo_slam {
 
 struct Registration::Impl {
+  Impl(const RegistrationOptions& options_in, int threads)
+      : options(options_in), executor(threads) {}
+
+  std::atomic_flag in_use;  // see ExclusiveAccess
   RegistrationOptions options;
   Executor executor;
   std::vector<double> scales;     // length scales in use, coarse to fine
@@ -152,8 +158,7 @@ void check_consistency(const RegistrationOptions& options) {
 }
 
 Registration::Registration(const RegistrationOptions& options, int threads)
-    : impl_(std::make_unique<Impl>(
-          Impl{checked_options(options), Executor(threads), {}, {}, {}, 0, {}, {}, {}})) {}
+    : impl_(std::make_unique<Impl>(checked_options(options), threads)) {}
 
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;
@@ -269,23 +274,26 @@ RegistrationResult Registration::Impl::assess(const PointCloud& moving, const Le
   return result;
 }
 
-void Registration::set_fixed(const PointCloud& fixed) { impl_->set_fixed(fixed); }
+void Registration::set_fixed(const PointCloud& fixed) {
+  ExclusiveAccess(impl_, "Registration")->set_fixed(fixed);
+}
 
 RegistrationResult Registration::align(const PointCloud& moving, const SE3& T_fixed_moving_init,
                                        int skip) {
+  const ExclusiveAccess impl(impl_, "Registration");
   RegistrationResult result =
-      impl_->refine(moving, impl_->approach(moving, T_fixed_moving_init, skip));
+      impl->refine(moving, impl->approach(moving, T_fixed_moving_init, skip));
   if (result.status == RegistrationStatus::kFailed) result.T_fixed_moving = T_fixed_moving_init;
   return result;
 }
 
 Approach Registration::approach(const PointCloud& moving, const SE3& T_fixed_moving_init,
                                 int skip) {
-  return impl_->approach(moving, T_fixed_moving_init, skip);
+  return ExclusiveAccess(impl_, "Registration")->approach(moving, T_fixed_moving_init, skip);
 }
 
 RegistrationResult Registration::refine(const PointCloud& moving, const Approach& start) {
-  return impl_->refine(moving, start);
+  return ExclusiveAccess(impl_, "Registration")->refine(moving, start);
 }
 
 RegistrationResult align(const PointCloud& fixed, const PointCloud& moving,

@@ -129,7 +129,8 @@ struct Approach {
 };
 
 /// Registration to one fixed cloud: neighbour search is prepared once per length scale and serves
-/// every moving cloud. One call at a time: an object works in memory of its own.
+/// every moving cloud. An object works in memory of its own: it serves one thread at a time, and
+/// none after it was moved from; every function throws UsageError otherwise.
 class Registration {
  public:
   /// Throws OptionError if an option is out of range.
@@ -141,7 +142,7 @@ class Registration {
   /// Makes `fixed` the cloud that others are aligned to. It is copied.
   void set_fixed(const PointCloud& fixed);
   /// Returns the pose that maps `moving` onto the fixed cloud, searched from T_fixed_moving_init.
-  /// Never throws: clouds without points or without overlap give kFailed and a reason.
+  /// Clouds without points or without overlap give kFailed and a reason; they do not throw.
   /// `skip` leaves out that many of the coarsest length scales, but not the last one.
   [[nodiscard]] RegistrationResult align(const PointCloud& moving, const SE3& T_fixed_moving_init,
                                          int skip = 0);

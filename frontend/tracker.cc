@@ -3,6 +3,7 @@
 #include "cvo_slam/frontend/tracker.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/core/exclusive_access.h"
 #include "cvo_slam/frontend/exposure_internal.h"
 #include "cvo_slam/frontend/motion_model_internal.h"
 #include "cvo_slam/frontend/tracking_judgement_internal.h"
@@ -59,6 +61,7 @@ struct Tracker::Impl {
         registration(options.registration, options.threads),
         policy(options.keyframe) {}
 
+  std::atomic_flag in_use;  // see ExclusiveAccess
   Camera camera;
   TrackerOptions options;
   PointSelector selector;
@@ -346,16 +349,23 @@ Tracker::~Tracker() = default;
 Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
-TrackedFrame Tracker::track(const RgbdFrame& frame) { return impl_->track(frame); }
-
-FrameRecord Tracker::resume(const SE3& T_world_camera) { return impl_->resume(T_world_camera); }
-
-std::optional<TrackerKeyframe> Tracker::take_keyframe() {
-  if (impl_->pending) impl_->pending_was_taken = true;
-  return std::exchange(impl_->pending, std::nullopt);
+TrackedFrame Tracker::track(const RgbdFrame& frame) {
+  return ExclusiveAccess(impl_, "Tracker")->track(frame);
 }
 
-PointCloud Tracker::select_keyframe_points() { return impl_->select_keyframe_points(); }
+FrameRecord Tracker::resume(const SE3& T_world_camera) {
+  return ExclusiveAccess(impl_, "Tracker")->resume(T_world_camera);
+}
+
+std::optional<TrackerKeyframe> Tracker::take_keyframe() {
+  const ExclusiveAccess impl(impl_, "Tracker");
+  if (impl->pending) impl->pending_was_taken = true;
+  return std::exchange(impl->pending, std::nullopt);
+}
+
+PointCloud Tracker::select_keyframe_points() {
+  return ExclusiveAccess(impl_, "Tracker")->select_keyframe_points();
+}
 
 Trajectory to_trajectory(const std::vector<FrameRecord>& records) {
   std::map<int, std::size_t> frames_of_submap;

@@ -123,6 +123,9 @@ struct FrameRecord {
   /// submap. A new one starts where tracking resumes after too long a loss. Poses of different
   /// submaps have different worlds.
   int submap = 0;
+  /// True if Slam was made from a map and the pose is in the world of that map. A camera that has
+  /// left the places of a map that is not extended is tracked on, with false here.
+  bool localized = false;
   std::size_t keyframe = 0;     ///< index of the frame that this one was registered to
   std::string keyframe_reason;  ///< why the frame became a keyframe; empty if it did not
   /// Index of an earlier frame that was made the keyframe because this one could not be registered
@@ -146,7 +149,8 @@ struct TrackedFrame {
   std::optional<TrackerKeyframe> keyframe;
 };
 
-/// Tracks the pose of an RGB-D camera, frame by frame, against keyframes.
+/// Tracks the pose of an RGB-D camera, frame by frame, against keyframes. An object serves one
+/// thread at a time, and none after it was moved from: every function throws UsageError otherwise.
 class Tracker {
  public:
   /// Throws OptionError if the camera or an option is impossible.

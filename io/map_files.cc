@@ -13,6 +13,7 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/g2o.h"
+#include "cvo_slam/io/map_memory_files_internal.h"
 #include "cvo_slam/io/ply.h"
 #include "cvo_slam/io/text_internal.h"
 #include "cvo_slam/io/trajectory_files.h"
@@ -98,43 +99,76 @@ void read_points(const std::filesystem::path& file, Map& map, std::vector<std::s
   notes.insert(notes.end(), cloud.notes.begin(), cloud.notes.end());
 }
 
+/// Reads the memory; the keyframes' stamps are there and their poses in the graph.
+void add_memory(const std::filesystem::path& folder, Map& map) {
+  map.memory = read_memory(folder);
+  const auto& keyframes = map.memory->keyframes;
+  if (keyframes.size() != map.graph.nodes().size()) {
+    throw InputError(folder, fmt::format("{} keyframes, but {} nodes in {}; make the map again",
+                                         keyframes.size(), map.graph.nodes().size(), kGraph));
+  }
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    map.keyframes.push_back({keyframes[i].stamp, map.graph.nodes()[i].T_world_node});
+  }
+}
+
 Map read_files(const std::filesystem::path& folder, std::vector<std::string>& notes,
                ForeignEntries foreign) {
   const auto has = [&](std::string_view name) { return std::filesystem::exists(folder / name); };
   if (!std::filesystem::is_directory(folder)) {
     throw InputError(folder, "is not a folder; give a folder that cvo_slam run has written");
   }
-  if (!has(kKeyframes) && !has(kGraph) && !has(kPoints)) {
+  const bool has_memory = has(kMapHeader);
+  if (!has(kKeyframes) && !has(kGraph) && !has(kPoints) && !has_memory) {
     throw InputError(folder, fmt::format("holds no map: none of {}, {} and {}; give a folder that "
                                          "cvo_slam run has written",
                                          kKeyframes, kGraph, kPoints));
   }
+  if (has_memory) check_header(folder);
   Map map;
   if (has(kKeyframes)) map.keyframes = read_tum(folder / kKeyframes);
   if (has(kGraph)) map.graph = read_g2o(folder / kGraph, notes, foreign);
   if (has(kGraph) && has(kEdges)) map.graph = with_edge_kinds(map.graph, folder / kEdges);
   if (has(kPoints)) read_points(folder / kPoints, map, notes);
   if (has(kKeyframes)) check_sizes(folder, map);
+  if (has_memory) add_memory(folder, map);
   return map;
+}
+
+void write_files(const std::filesystem::path& folder, const Map& map) {
+  if (!map.graph.nodes().empty() || map.memory) {
+    write_g2o(folder / kGraph, map.graph);
+    write_file(folder / kEdges, edges_text(map.graph));
+  }
+  if (!map.points.empty()) write_ply(folder / kPoints, map.points, map.points_origin);
 }
 
 }  // namespace
 
 void write_map(const std::filesystem::path& folder, const Map& map) {
   const bool has_graph = !map.graph.nodes().empty();
-  if (has_graph && map.graph.nodes().size() != map.keyframes.size()) {
+  if (has_graph && !map.keyframes.empty() && map.graph.nodes().size() != map.keyframes.size()) {
     throw DataError(
         fmt::format("the map has {} keyframes, but its graph has {} nodes; each keyframe "
                     "must have one node",
                     map.keyframes.size(), map.graph.nodes().size()));
   }
-  make_folder(folder);
-  write_tum(folder / kKeyframes, {map.keyframes, {}});
-  if (has_graph) {
-    write_g2o(folder / kGraph, map.graph);
-    write_file(folder / kEdges, edges_text(map.graph));
+  if (!map.memory) {
+    make_folder(folder);
+    if (!map.keyframes.empty() || !has_graph) {
+      write_tum(folder / kKeyframes, {map.keyframes, {}});
+    }
+    return write_files(folder, map);
   }
-  if (!map.points.empty()) write_ply(folder / kPoints, map.points, map.points_origin);
+  replace_folder(folder, [&map](const std::filesystem::path& place) {
+    write_files(place, map);
+    write_memory(place, *map.memory);
+    write_header(place, *map.memory);
+  });
+}
+
+bool is_map_folder(const std::filesystem::path& folder) {
+  return std::filesystem::is_regular_file(folder / kMapHeader);
 }
 
 Map read_map(const std::filesystem::path& folder, std::vector<std::string>& notes) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/text_files.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {

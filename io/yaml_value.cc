@@ -15,7 +15,6 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/core/options.h"
-#include "cvo_slam/core/text_files.h"
 #include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {

@@ -70,9 +70,14 @@ LoopDetector::LoopDetector(const Camera& camera, const LoopOptions& options,
 }
 
 std::shared_ptr<const Appearance> LoopDetector::extract(const RgbdFrame& frame) const {
+  return describe(frame.index, extract_orb(frame, camera_, options_.orb));
+}
+
+std::shared_ptr<const Appearance> LoopDetector::describe(std::size_t id,
+                                                         OrbFeatures features) const {
   Appearance appearance;
-  appearance.id = frame.index;
-  appearance.features = extract_orb(frame, camera_, options_.orb);
+  appearance.id = id;
+  appearance.features = std::move(features);
   appearance.words = vocabulary_->transform(appearance.features.descriptors,
                                             options_.verification.matching.node_level);
   return std::make_shared<const Appearance>(std::move(appearance));

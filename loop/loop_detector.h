@@ -109,8 +109,8 @@ class KeyframeDatabase {
 ///   }
 ///
 /// The results depend only on the images, their order and their ids. All functions except extract()
-/// are for one thread at a time. Only the word query of find_loops() and relocalize() takes longer
-/// with more keyframes.
+/// and describe() are for one thread at a time. Only the word query of find_loops() and
+/// relocalize() takes longer with more keyframes.
 class LoopDetector {
  public:
   /// Uses the built-in vocabulary if none is given. Throws OptionError for a bad option or camera.
@@ -120,6 +120,9 @@ class LoopDetector {
   /// Returns the features and words of an image, with the frame's index as id. An image without
   /// features (see extract_orb()) matches nothing. May be called from several threads.
   [[nodiscard]] std::shared_ptr<const Appearance> extract(const RgbdFrame& frame) const;
+  /// Returns the same for features that are there already, as those of a map file.
+  [[nodiscard]] std::shared_ptr<const Appearance> describe(std::size_t id,
+                                                           OrbFeatures features) const;
 
   /// Returns the keyframes whose place the next keyframe, not yet added, may show, all older than
   /// the newest CandidateOptions::min_gap: the best match of each place, the likeliest place first.
@@ -132,6 +135,7 @@ class LoopDetector {
   /// Adds the next keyframe.
   void add(std::shared_ptr<const Appearance> keyframe);
 
+  [[nodiscard]] const Vocabulary& vocabulary() const { return *vocabulary_; }
   /// Number of keyframes.
   [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
   [[nodiscard]] const Appearance& keyframe(std::size_t i) const { return *keyframes_[i]; }

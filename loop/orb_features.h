@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
@@ -51,6 +53,13 @@ struct OrbFeatures {
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] bool empty() const { return points.empty(); }
 };
+
+/// Returns the features of a keyframe as bytes for map files, 45 a feature: positions are rounded
+/// to 1/16 px and orientations to 1.4 degrees, which is below what the corners are accurate to.
+[[nodiscard]] std::string features_to_bytes(const OrbFeatures& features);
+/// Returns the features of features_to_bytes(). Throws DataError if the bytes are not those of
+/// features.
+[[nodiscard]] OrbFeatures features_from_bytes(std::string_view bytes, const PinholeCamera& camera);
 
 /// Returns oriented FAST corners with their ORB descriptors (E. Rublee et al., "ORB: an efficient
 /// alternative to SIFT or SURF", ICCV 2011; OpenCV's implementation). The strongest corner of each

@@ -11,7 +11,6 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/core/text_files.h"
 #include "cvo_slam/loop/vocabulary_files.h"
 
 namespace cvo_slam {

@@ -26,6 +26,10 @@ bool is_reachable(const LoopMatch& match, const Timestamp& now, const MapState& 
                   const RelocalizationOptions& options) {
   const std::size_t older_position = map.keyframes.position_of(match.keyframe);
   const std::size_t newest_position = map.keyframes.size() - 1;
+  const bool is_of_another_session =
+      older_position < map.loaded &&
+      (!map.has_own_keyframes() || map.submap_at(older_position) != map.submap_at(newest_position));
+  if (is_of_another_session) return false;
   const SE3 T_older_newest =
       map.graph.pose(older_position).inverse() * map.graph.pose(newest_position);
   if (is_one_place(T_older_newest, match.verification.T_a_b)) return true;

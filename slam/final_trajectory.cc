@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <utility>
 
 #include "cvo_slam/slam/final_trajectory_internal.h"
 
@@ -38,6 +39,21 @@ FrameRecord record_of(const TrackedPose& frame, int submap, const SE3& T_world_c
   return record;
 }
 
+/// The path in a map that was loaded, if any frame is in it.
+Trajectory path_of(std::vector<FrameRecord> records, int first_own_submap) {
+  const auto is_in_map = [&](const FrameRecord& record) {
+    return record.status == TrackingStatus::kTracked && record.submap < first_own_submap;
+  };
+  if (std::any_of(records.begin(), records.end(), is_in_map)) {
+    for (FrameRecord& record : records) {
+      if (record.status == TrackingStatus::kLost || is_in_map(record)) continue;
+      record.status = TrackingStatus::kLost;
+      record.reason = "not located in the map";
+    }
+  }
+  return to_trajectory(records);
+}
+
 }  // namespace
 
 const TrackedPose& FrameHistory::frame(std::size_t number) const {
@@ -53,22 +69,23 @@ const TrackedPose* FrameHistory::next_keyframe(const TrackedPose& frame) const {
   return keyframe.keyframe == frame.keyframe ? &keyframe : nullptr;
 }
 
-Trajectory online_trajectory(const FrameHistory& history) {
+Trajectory online_trajectory(const FrameHistory& history, int first_own_submap) {
   std::vector<FrameRecord> records;
   for (const TrackedPose& frame : history.frames()) {
     records.push_back(record_of(frame, frame.submap_online, frame.T_world_camera_online));
   }
-  return to_trajectory(records);
+  return path_of(std::move(records), first_own_submap);
 }
 
-Trajectory final_trajectory(const FrameHistory& history, const MapState& map) {
+Trajectory final_trajectory(const FrameHistory& history, const MapState& map,
+                            int first_own_submap) {
   std::vector<FrameRecord> records;
   for (const TrackedPose& frame : history.frames()) {
     const bool is_tracked = frame.status == TrackingStatus::kTracked;
     records.push_back(record_of(frame, map.submaps.name_of(frame.tracked_submap),
                                 is_tracked ? final_pose(frame, history, map) : SE3()));
   }
-  return to_trajectory(records);
+  return path_of(std::move(records), first_own_submap);
 }
 
 }  // namespace cvo_slam

@@ -48,12 +48,14 @@ class FrameHistory {
 };
 
 /// Every frame with the pose and the submap that track() answered; those of the submap with most
-/// frames.
-[[nodiscard]] Trajectory online_trajectory(const FrameHistory& history);
+/// frames, or if there are any, those of the submaps before `first_own_submap`: of a map that was
+/// loaded.
+[[nodiscard]] Trajectory online_trajectory(const FrameHistory& history, int first_own_submap);
 
 /// Every frame attached to its keyframe as the map has that now. What the map has corrected between
 /// two keyframes is shared out by time among the frames between. A frame whose keyframe the map
 /// does not have yet keeps its online pose.
-[[nodiscard]] Trajectory final_trajectory(const FrameHistory& history, const MapState& map);
+[[nodiscard]] Trajectory final_trajectory(const FrameHistory& history, const MapState& map,
+                                          int first_own_submap);
 
 }  // namespace cvo_slam

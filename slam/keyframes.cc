@@ -1,36 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "cvo_slam/slam/keyframes_internal.h"
 
 namespace cvo_slam {
-namespace {
 
-double reach_of(const PointCloud& cloud) {
-  float farthest2 = 0;
+double reach_of(const CompactCloud& cloud) {
+  double farthest = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const float distance2 =
-        cloud.x[i] * cloud.x[i] + cloud.y[i] * cloud.y[i] + cloud.z[i] * cloud.z[i];
-    farthest2 = std::max(farthest2, distance2);
+    farthest = std::max(farthest, cloud.position(i).norm());
   }
-  return std::sqrt(static_cast<double>(farthest2));
+  return farthest;
 }
-
-std::size_t bytes_of(const PointCloud& cloud) {
-  std::size_t floats = cloud.x.capacity() + cloud.y.capacity() + cloud.z.capacity() +
-                       cloud.u.capacity() + cloud.v.capacity();
-  for (const auto& feature : cloud.features) floats += feature.capacity();
-  return sizeof(PointCloud) + floats * sizeof(float);
-}
-
-}  // namespace
 
 void KeyframeStore::add(StoredKeyframe keyframe) {
-  keyframe.reach = reach_of(*keyframe.cloud);
-  bytes_ += sizeof(StoredKeyframe) + bytes_of(*keyframe.cloud);
+  keyframe.reach = reach_of(keyframe.cloud);
+  bytes_ += sizeof(StoredKeyframe) + keyframe.cloud.bytes();
   positions_.emplace(keyframe.number, keyframes_.size());
   keyframes_.push_back(std::move(keyframe));
 }

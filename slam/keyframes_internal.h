@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <unordered_map>
 #include <vector>
 
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/core/timestamp.h"
+#include "cvo_slam/slam/compact_cloud_internal.h"
 
 namespace cvo_slam {
 
@@ -23,9 +23,12 @@ struct StoredKeyframe {
   /// The submap in which the tracker made it (FrameRecord::submap). Submaps that were joined since
   /// have one name more: see Submaps.
   int tracked_submap = 0;
-  std::shared_ptr<const PointCloud> cloud;
+  CompactCloud cloud;
   double reach = 0;  ///< distance of the farthest point of the cloud from the camera [m]
 };
+
+/// Distance of the farthest point of a cloud from its camera [m].
+[[nodiscard]] double reach_of(const CompactCloud& cloud);
 
 /// The keyframes of the map in the order in which they were added. A keyframe's position here is
 /// also the index of its node in the pose graph.
@@ -42,7 +45,7 @@ class KeyframeStore {
   [[nodiscard]] const StoredKeyframe& newest() const { return keyframes_.back(); }
   /// The position of a keyframe that is in the store.
   [[nodiscard]] std::size_t position_of(std::size_t number) const { return positions_.at(number); }
-  /// Memory of the keyframes' points [bytes].
+  /// Memory of the keyframes and their points [bytes].
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/loop/vocabulary_files.h"
 #include "cvo_slam/slam/ambiguity_internal.h"
 #include "cvo_slam/slam/loop_closing_internal.h"
 #include "cvo_slam/slam/proximity_internal.h"
@@ -46,10 +48,23 @@ LoopVerdict rejected(const LoopMatch& match, const std::string& reason) {
 LoopClosing::LoopClosing(const Camera& camera, const RegistrationOptions& registration, int threads,
                          const LoopClosingOptions& options, const RegistrationNoise& noise,
                          const std::shared_ptr<const Vocabulary>& vocabulary)
-    : field_of_view_(camera.color),
+    : camera_(camera.color),
+      field_of_view_(camera.color),
       options_(options),
       detector_(camera, options.detection, vocabulary),
       registration_(registration, threads, options.pair, noise) {}
+
+void LoopClosing::restore(std::size_t number, const std::string& features) {
+  detector_.add(detector_.describe(number, features_from_bytes(features, camera_)));
+}
+
+std::string LoopClosing::features_of(std::size_t position) const {
+  return features_to_bytes(detector_.keyframe(position).features);
+}
+
+std::uint32_t LoopClosing::vocabulary_checksum() const {
+  return crc32_of(vocabulary_bytes(detector_.vocabulary()));
+}
 
 std::vector<LoopMatch> LoopClosing::recognize(const RgbdFrame& images, const PointCloud& cloud) {
   const auto appearance = detector_.extract(images);
@@ -79,7 +94,7 @@ LoopVerdict LoopClosing::judge(const std::vector<LoopMatch>& matches, std::size_
   }
   if (is_connected) {
     verdict.row.expected_overlap = mutual_overlap(
-        *map.keyframes[older_position].cloud, *map.keyframes[newest_position].cloud,
+        map.keyframes[older_position].cloud, map.keyframes[newest_position].cloud,
         map.graph.pose(older_position).inverse() * map.graph.pose(newest_position), field_of_view_);
   }
   return verdict;
@@ -95,9 +110,9 @@ LoopVerdict LoopClosing::judge_by_prior(const std::vector<LoopMatch>& matches, s
   const auto covariance = paths.covariance_to(older_position);
   const PairPrior prior =
       graph_prior(map.graph, older_position, newest_position, covariance.value());
-  const PairVerdict pair = registration_.register_both_ways(*map.keyframes[older_position].cloud,
-                                                            match.verification.T_a_b, &prior,
-                                                            map.usual_cos_theta.mean());
+  const PairVerdict pair = registration_.register_both_ways(
+      map.keyframes[older_position].cloud.points(), match.verification.T_a_b, &prior,
+      map.usual_cos_theta.mean());
   LoopVerdict verdict{.row = candidate_row(match, pair),
                       .edge = pair.measurement,
                       .unconfirmed = {},
@@ -122,9 +137,9 @@ LoopVerdict LoopClosing::judge_by_images(const std::vector<LoopMatch>& matches, 
   const std::string reason = ambiguity_of_images(matches, index, map, options);
   if (!reason.empty()) return rejected(match, reason);
   const std::size_t older_position = map.keyframes.position_of(match.keyframe);
-  const PairVerdict pair = registration_.register_both_ways(*map.keyframes[older_position].cloud,
-                                                            match.verification.T_a_b, nullptr,
-                                                            map.usual_cos_theta.mean());
+  const PairVerdict pair = registration_.register_both_ways(
+      map.keyframes[older_position].cloud.points(), match.verification.T_a_b, nullptr,
+      map.usual_cos_theta.mean());
   LoopVerdict verdict{.row = candidate_row(match, pair),
                       .edge = {},
                       .unconfirmed = pair.measurement,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,12 @@ class LoopClosing {
               const LoopClosingOptions& options, const RegistrationNoise& noise,
               const std::shared_ptr<const Vocabulary>& vocabulary);
 
+  /// Enters a keyframe of another map, by what features_of() returned there.
+  void restore(std::size_t number, const std::string& features);
+  /// The features of the keyframe at a position, as bytes.
+  [[nodiscard]] std::string features_of(std::size_t position) const;
+  [[nodiscard]] std::uint32_t vocabulary_checksum() const;
+
   /// The earlier keyframes that the newest one, with these images, seems to show, with those that
   /// verification rejected, for loops.csv. Enters the image into the index and keeps the cloud as
   /// the newer one of the pairs.
@@ -73,6 +80,7 @@ class LoopClosing {
                                             std::size_t index, const Timestamp& now,
                                             const MapState& map);
 
+  PinholeCamera camera_;
   FieldOfView field_of_view_;
   LoopClosingOptions options_;
   LoopDetector detector_;

@@ -26,6 +26,12 @@ void MapGraph::add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
   rows_.push_back(row);
 }
 
+void MapGraph::restore_edge(const PoseGraphEdge& edge) {
+  optimizer_.add_edge(edge);
+  covariances_.push_back(both_ways(edge.T_from_to, inverse_of_spd(measurement_information(edge))));
+  rows_.emplace_back();
+}
+
 std::optional<std::size_t> MapGraph::remove_edge(std::size_t index) {
   optimizer_.remove_edge(index);
   const auto offset = static_cast<std::ptrdiff_t>(index);

@@ -41,6 +41,8 @@ class MapGraph {
   /// so that the robust loss holds for them. `row` is none for an edge that is no candidate's.
   void add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
                 const PairMeasurement& measurement, std::optional<std::size_t> row);
+  /// Adds an edge as another map had it.
+  void restore_edge(const PoseGraphEdge& edge);
   /// Removes an edge and returns its row.
   std::optional<std::size_t> remove_edge(std::size_t index);
   Summary optimize(OptimizationScope scope) { return optimizer_.optimize(scope); }

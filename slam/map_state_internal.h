@@ -36,7 +36,11 @@ struct MapState {
   Submaps submaps;
   std::vector<Gap> gaps;
   UsualCosTheta usual_cos_theta;
+  /// Number of keyframes, the first ones, that are those of a map that was loaded. The clocks and
+  /// the way of the camera between these and the others are not known.
+  std::size_t loaded = 0;
 
+  [[nodiscard]] bool has_own_keyframes() const { return keyframes.size() > loaded; }
   [[nodiscard]] int submap_at(std::size_t position) const {
     return submaps.name_of(keyframes[position].tracked_submap);
   }

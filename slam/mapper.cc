@@ -7,18 +7,20 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/slam/map_memory_internal.h"
 #include "cvo_slam/slam/mapper_internal.h"
 
 namespace cvo_slam {
 
 Mapper::Mapper(const Camera& camera, const SlamOptions& options,
                const std::shared_ptr<const Vocabulary>& vocabulary)
-    : field_of_view_(camera.color),
+    : camera_(camera),
+      field_of_view_(camera.color),
       options_(options),
       noise_{options.noise_translation, options.noise_rotation},
       near_registration_(options.tracker.registration, options.tracker.threads,
                          options.proximity.pair, noise_),
-      map_{{}, MapGraph(options.optimizer), {}, {}, {}} {
+      map_{{}, MapGraph(options.optimizer), {}, {}, {}, 0} {
   if (!options.loops.enabled) return;
   loop_closing_.emplace(camera, options.tracker.registration, options.tracker.threads,
                         options.loops, noise_, vocabulary);
@@ -60,10 +62,11 @@ void Mapper::add_keyframe(const KeyframeInput& keyframe) {
   } else if (keyframe.recognized) {
     T_world_camera =
         pose_after(keyframe.recognized->keyframe, keyframe.recognized->measurement.T_older_newer);
-  } else if (!map_.keyframes.empty()) {
+  } else if (map_.has_own_keyframes()) {
     T_world_camera = start_after_gap(keyframe);
   }
-  map_.keyframes.add({keyframe.number, keyframe.stamp, keyframe.tracked_submap, keyframe.cloud});
+  map_.keyframes.add(
+      {keyframe.number, keyframe.stamp, keyframe.tracked_submap, CompactCloud(*keyframe.cloud)});
   map_.graph.add_keyframe(keyframe.number, T_world_camera);
   proximity_.set(map_.keyframes.size() - 1, T_world_camera.translation(),
                  map_.keyframes.newest().reach);
@@ -100,14 +103,14 @@ void Mapper::connect_near_keyframes(PathSearch& paths) {
   if (near_keyframes.empty()) return;
   const std::size_t newest_position = map_.keyframes.size() - 1;
   const std::size_t newer = map_.keyframes.newest().number;
-  near_registration_.set_newer(*map_.keyframes.newest().cloud);
+  near_registration_.set_newer(map_.keyframes.newest().cloud.points());
   for (const auto& [older_position, expected_overlap] : near_keyframes) {
     const auto covariance = paths.covariance_to(older_position);
     if (!covariance) continue;
     const PairPrior prior = graph_prior(map_.graph, older_position, newest_position, *covariance);
     const std::size_t older = map_.keyframes[older_position].number;
     const PairVerdict verdict = near_registration_.register_both_ways(
-        *map_.keyframes[older_position].cloud, prior.T_older_newer, &prior,
+        map_.keyframes[older_position].cloud.points(), prior.T_older_newer, &prior,
         map_.usual_cos_theta.mean());
     const std::size_t row = candidates_.size();  // pushed below
     if (verdict.measurement) {
@@ -215,6 +218,25 @@ std::optional<RecognizedPose> Mapper::relocalize(const RgbdFrame& images, const 
   if (result.pose) result.pose->row += candidates_.size();
   std::move(result.rows.begin(), result.rows.end(), std::back_inserter(candidates_));
   return result.pose;
+}
+
+void Mapper::restore(const Map& map) {
+  LoopClosing* const loops = loop_closing_ ? &*loop_closing_ : nullptr;
+  cvo_slam::restore(map, map_, loops);
+  for (std::size_t i = 0; i < map_.keyframes.size(); ++i) {
+    proximity_.set(i, map_.graph.pose(i).translation(), map_.keyframes[i].reach);
+  }
+}
+
+Map Mapper::to_map() const {
+  return cvo_slam::to_map(map_, loop_closing_ ? &*loop_closing_ : nullptr, camera_);
+}
+
+std::optional<SE3> Mapper::locate(const PointCloud& cloud, const PredictedPose& predicted) {
+  if (!localizer_) {
+    localizer_.emplace(camera_, options_.tracker.registration, options_.tracker.threads, noise_);
+  }
+  return localizer_->locate(cloud, predicted, map_, proximity_);
 }
 
 void Mapper::optimize_all() {

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/map.h"
+#include "cvo_slam/slam/localization_internal.h"
 #include "cvo_slam/slam/loop_candidate.h"
 #include "cvo_slam/slam/loop_closing_internal.h"
 #include "cvo_slam/slam/map_state_internal.h"
@@ -59,6 +61,15 @@ class Mapper {
   /// loops are not closed. Adds a row for each keyframe that was tried.
   [[nodiscard]] std::optional<RecognizedPose> relocalize(const RgbdFrame& images,
                                                          const PointCloud& cloud);
+  /// Takes over the keyframes and edges of another map, before any of its own. Throws DataError if
+  /// its parts do not belong together.
+  void restore(const Map& map);
+  /// Returns the map as a value.
+  [[nodiscard]] Map to_map() const;
+  /// Registers a camera's points to the keyframe that sees most of the same, and leaves the map as
+  /// it is. None if that is not certain enough.
+  [[nodiscard]] std::optional<SE3> locate(const PointCloud& cloud, const PredictedPose& predicted);
+
   /// Optimises the whole graph and takes back the loops that it contradicts, unless nothing was
   /// added since that was done.
   void optimize_all();
@@ -83,11 +94,13 @@ class Mapper {
   void take_back(std::size_t edge, const std::string& reason);
   void optimize(OptimizationScope scope);
 
+  Camera camera_;
   FieldOfView field_of_view_;
   SlamOptions options_;
   RegistrationNoise noise_;
   PairRegistration near_registration_;
   std::optional<LoopClosing> loop_closing_;
+  std::optional<Localizer> localizer_;  // made where it is needed
   MapState map_;
   ProximityIndex proximity_;
   std::vector<SubmapLink> links_;           // wait until enough agree

@@ -22,7 +22,7 @@ bool is_far_from_all(std::size_t position, const std::vector<NearKeyframe>& chos
 
 }  // namespace
 
-double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
+double mutual_overlap(const CompactCloud& a, const CompactCloud& b, const SE3& T_a_b,
                       const FieldOfView& field_of_view) {
   const double b_in_a = visible_share(b, T_a_b, field_of_view);
   if (b_in_a == 0) return 0;
@@ -46,9 +46,16 @@ void ProximityIndex::set(std::size_t position, const Vector3& camera, double rea
 
 std::vector<std::size_t> ProximityIndex::within_reach_of(std::size_t position) const {
   const Entry& center = entries_[position];
-  const double radius = center.reach + largest_reach_;
-  const auto first = [&](int axis) { return cell_along(center.camera[axis] - radius); };
-  const auto last = [&](int axis) { return cell_along(center.camera[axis] + radius); };
+  std::vector<std::size_t> found = within_reach_of(center.camera, center.reach);
+  std::erase(found, position);
+  return found;
+}
+
+std::vector<std::size_t> ProximityIndex::within_reach_of(const Vector3& camera,
+                                                         double reach) const {
+  const double radius = reach + largest_reach_;
+  const auto first = [&](int axis) { return cell_along(camera[axis] - radius); };
+  const auto last = [&](int axis) { return cell_along(camera[axis] + radius); };
   std::vector<std::size_t> found;
   for (std::int32_t x = first(0); x <= last(0); ++x) {
     for (std::int32_t y = first(1); y <= last(1); ++y) {
@@ -56,8 +63,7 @@ std::vector<std::size_t> ProximityIndex::within_reach_of(std::size_t position) c
       for (auto cell = cells_.lower_bound({x, y, first(2)}); cell != end; ++cell) {
         for (const std::size_t other : cell->second) {
           const Entry& entry = entries_[other];
-          const double distance = (entry.camera - center.camera).norm();
-          if (other != position && distance <= center.reach + entry.reach) found.push_back(other);
+          if ((entry.camera - camera).norm() <= reach + entry.reach) found.push_back(other);
         }
       }
     }
@@ -77,7 +83,7 @@ std::vector<NearKeyframe> find_near_keyframes(const MapState& map, const Proximi
     if (map.submap_at(position) != map.submap_at(newest_position)) continue;
     const SE3 T_older_newer = map.graph.pose(position).inverse() * map.graph.pose(newest_position);
     const double overlap =
-        mutual_overlap(*map.keyframes[position].cloud, *map.keyframes[newest_position].cloud,
+        mutual_overlap(map.keyframes[position].cloud, map.keyframes[newest_position].cloud,
                        T_older_newer, field_of_view);
     if (overlap < options.min_expected_overlap) continue;
     const std::size_t between = newest_position - position - 2;  // the predecessor aside

@@ -23,7 +23,7 @@ struct NearKeyframe {
 
 /// The smaller one of two shares: that of the points of `a` which lie in the image of `b`, and the
 /// reverse (visible_share()).
-[[nodiscard]] double mutual_overlap(const PointCloud& a, const PointCloud& b, const SE3& T_a_b,
+[[nodiscard]] double mutual_overlap(const CompactCloud& a, const CompactCloud& b, const SE3& T_a_b,
                                     const FieldOfView& field_of_view);
 
 /// Finds keyframes by where their cameras are, so that a search costs the same however large the
@@ -36,6 +36,8 @@ class ProximityIndex {
   /// Positions, descending, of the other keyframes that may have seen a point that the given one
   /// saw: their cameras are no further apart than their reaches together.
   [[nodiscard]] std::vector<std::size_t> within_reach_of(std::size_t position) const;
+  /// The same for a camera that is not in the index.
+  [[nodiscard]] std::vector<std::size_t> within_reach_of(const Vector3& camera, double reach) const;
 
  private:
   using Cell = std::array<std::int32_t, 3>;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/slam/slam.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <deque>
 #include <map>
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/exclusive_access.h"
 #include "cvo_slam/slam/final_trajectory_internal.h"
 #include "cvo_slam/slam/job_queue_internal.h"
 #include "cvo_slam/slam/mapper_internal.h"
@@ -49,47 +52,115 @@ struct Slam::Impl {
         mapper(camera, options, vocabulary),
         jobs(options.schedule) {}
 
+  std::atomic_flag in_use;  // see ExclusiveAccess
   SlamOptions options;
   Tracker tracker;
   FrameHistory history;
   FrameRecord last_tracked_record;           // of the last tracked frame, as the tracker answered
   PoseConsensus consensus;                   // of the frames since tracking was lost
   std::optional<RecognizedPose> recognized;  // of the newest keyframe, before the mapper has it
-  std::deque<SubmittedKeyframe> submitted;   // in ascending order
-  std::map<int, Correction> corrections;     // by tracked submap
+  std::optional<MapUse> map_use;             // of a map that was loaded
+  std::size_t first_number = 0;              // of a frame with the index 0
+  int first_submap = 0;                      // of the tracker's submap 0
+  SE3 T_map_last_keyframe;                   // of a camera that is located in a map
+  double path_since_located = 0;  // of its keyframes since its place there was measured [m]
+  bool is_located = false;        // since the last keyframe, or frame while it is not
+  std::deque<SubmittedKeyframe> submitted;  // in ascending order
+  std::map<int, Correction> corrections;    // by tracked submap
   Mapper mapper;
   JobQueue jobs;  // the last member: its thread ends before what it works on
 
-  FrameRecord track(const RgbdFrame& frame);
+  FrameRecord track(RgbdFrame frame);
+  void load(const Map& map, MapUse use);
+  void localize(const RgbdFrame& frame, const FrameRecord& tracked);
   [[nodiscard]] FrameRecord relocalize(const RgbdFrame& frame, const FrameRecord& lost);
   void submit(const TrackerKeyframe& keyframe);
   void apply_corrections(std::size_t left);
   [[nodiscard]] FrameRecord in_map(FrameRecord record) const;
   void finish();
+  /// The map without work under way.
+  [[nodiscard]] const MapState& finished_map() {
+    jobs.wait_until_left(0);
+    return mapper.map();
+  }
 };
 
-FrameRecord Slam::Impl::track(const RgbdFrame& frame) {
+FrameRecord Slam::Impl::track(RgbdFrame frame) {
+  frame.index += first_number;
   if (!history.empty() && frame.index <= history.newest().frame) {
     throw DataError(
         fmt::format("frame index {} is not above that of the frame before, {}; number the frames "
                     "in ascending order",
-                    frame.index, history.newest().frame));
+                    frame.index - first_number, history.newest().frame - first_number));
   }
   auto [tracked, keyframe] = tracker.track(frame);
+  tracked.submap += first_submap;
+  const bool extends_map = map_use != MapUse::kLocalize;
   // The keyframe that has become final is the frame tracked before this one: submit() reads
   // last_tracked_record, so that is replaced only below.
-  if (keyframe) submit(*keyframe);
-  if (tracked.status == TrackingStatus::kTracked) {
+  if (keyframe && extends_map) submit(*keyframe);
+  if (tracked.status == TrackingStatus::kLost) {
+    is_located = false;
+    if (options.loops.enabled) tracked = relocalize(frame, tracked);
+  } else if (extends_map) {
     consensus.clear();
-  } else if (options.loops.enabled) {
-    tracked = relocalize(frame, tracked);
+  } else {
+    localize(frame, tracked);
   }
   if (tracked.status == TrackingStatus::kTracked) last_tracked_record = tracked;
-  const FrameRecord answer = in_map(tracked);
+  FrameRecord answer = in_map(tracked);
+  if (map_use) {
+    answer.localized = answer.status == TrackingStatus::kTracked && answer.submap < first_submap &&
+                       (extends_map || is_located);
+  }
   history.add({tracked.index, tracked.stamp, tracked.status, tracked.reason, tracked.submap,
                tracked.keyframe, tracked.registration.T_fixed_moving, answer.T_world_camera,
                answer.submap});
+  answer.index -= first_number;
+  if (answer.keyframe >= first_number) answer.keyframe -= first_number;
+  if (answer.promoted_keyframe) *answer.promoted_keyframe -= first_number;
   return answer;
+}
+
+/// Takes over a map before the first frame.
+void Slam::Impl::load(const Map& map, MapUse use) {
+  mapper.restore(map);
+  map_use = use;
+  for (const KeyframeMemory& keyframe : map.memory->keyframes) {
+    first_number = std::max(first_number, keyframe.number + 1);
+    first_submap = std::max(first_submap, keyframe.submap + 1);
+  }
+}
+
+/// Finds out where a tracked camera is in the map that is not extended: at each keyframe as long as
+/// that is known, at each frame as long as it is not.
+void Slam::Impl::localize(const RgbdFrame& frame, const FrameRecord& tracked) {
+  const auto set_located = [&](const SE3& T_map_camera) {
+    is_located = true;
+    T_map_last_keyframe = T_map_camera;
+    path_since_located = 0;
+    consensus.clear();
+  };
+  const auto correction = corrections.find(tracked.submap);
+  if (correction != corrections.end() && !tracked.keyframe_reason.empty()) {
+    const FrameRecord expected = in_map(tracked);
+    const SE3 T_last_now = T_map_last_keyframe.inverse() * expected.T_world_camera;
+    T_map_last_keyframe = expected.T_world_camera;
+    path_since_located += T_last_now.translation().norm();
+    is_located = false;
+    if (const auto pose =
+            mapper.locate(tracker.select_keyframe_points(),
+                          {expected.T_world_camera, expected.submap, path_since_located})) {
+      correction->second.T_corrected_tracked = *pose * tracked.T_world_camera.inverse();
+      set_located(*pose);
+    }
+  }
+  if (is_located || !options.loops.enabled) return;
+  const auto pose = mapper.relocalize(frame, tracker.select_keyframe_points());
+  if (!pose || !consensus.add(frame.stamp, *pose)) return;
+  corrections[tracked.submap] = {pose->submap,
+                                 pose->T_world_camera * tracked.T_world_camera.inverse()};
+  set_located(pose->T_world_camera);
 }
 
 /// Continues at a lost frame if enough frames in a row show keyframes that agree on where it is.
@@ -97,15 +168,20 @@ FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lo
   const PointCloud cloud = tracker.select_keyframe_points();
   if (cloud.size() == 0) return lost;
   // resume() would drop it.
-  if (const auto keyframe = tracker.take_keyframe()) submit(*keyframe);
+  const auto keyframe = tracker.take_keyframe();
+  if (keyframe && map_use != MapUse::kLocalize) submit(*keyframe);
   // The mapper is for one thread at a time; and every schedule must see the same map.
   jobs.wait_until_left(0);
   const auto pose = mapper.relocalize(frame, cloud);
   if (!pose || !consensus.add(frame.stamp, *pose)) return lost;
-  const FrameRecord record = tracker.resume(pose->T_world_camera);
+  FrameRecord record = tracker.resume(pose->T_world_camera);
   if (record.status == TrackingStatus::kLost) return lost;
+  record.submap += first_submap;
   consensus.clear();
   recognized = pose;
+  T_map_last_keyframe = pose->T_world_camera;
+  path_since_located = 0;
+  is_located = true;
   // The tracker goes on in the map's own world.
   corrections[record.submap] = {pose->submap, SE3()};
   return record;
@@ -158,6 +234,7 @@ FrameRecord Slam::Impl::in_map(FrameRecord record) const {
 }
 
 void Slam::Impl::finish() {
+  if (map_use == MapUse::kLocalize) return;
   if (const auto keyframe = tracker.take_keyframe()) submit(*keyframe);
   apply_corrections(0);
   mapper.optimize_all();
@@ -167,28 +244,38 @@ Slam::Slam(const Camera& camera, const SlamOptions& options,
            const std::shared_ptr<const Vocabulary>& vocabulary)
     : impl_(std::make_unique<Impl>(camera, options, vocabulary)) {}
 
+Slam::Slam(const Map& map, const SlamOptions& options, MapUse use,
+           const std::shared_ptr<const Vocabulary>& vocabulary)
+    : Slam(map.memory ? map.memory->camera : Camera(), options, vocabulary) {
+  impl_->load(map, use);
+}
+
 Slam::~Slam() = default;
 Slam::Slam(Slam&&) noexcept = default;
 Slam& Slam::operator=(Slam&&) noexcept = default;
 
-FrameRecord Slam::track(const RgbdFrame& frame) { return impl_->track(frame); }
+FrameRecord Slam::track(const RgbdFrame& frame) {
+  return ExclusiveAccess(impl_, "Slam")->track(frame);
+}
 
-void Slam::finish() { impl_->finish(); }
+void Slam::finish() { ExclusiveAccess(impl_, "Slam")->finish(); }
 
 Trajectory Slam::trajectory(TrajectoryView view) const {
-  if (view == TrajectoryView::kOnline) return online_trajectory(impl_->history);
-  impl_->jobs.wait_until_left(0);
-  return final_trajectory(impl_->history, impl_->mapper.map());
+  const ExclusiveAccess impl(impl_, "Slam");
+  if (view == TrajectoryView::kOnline || impl->map_use == MapUse::kLocalize) {
+    return online_trajectory(impl->history, impl->first_submap);
+  }
+  return final_trajectory(impl->history, impl->finished_map(), impl->first_submap);
 }
 
 PoseGraph Slam::pose_graph() const {
-  impl_->jobs.wait_until_left(0);
-  return impl_->mapper.graph();
+  const ExclusiveAccess impl(impl_, "Slam");
+  return impl->finished_map().graph.graph();
 }
 
 std::vector<Keyframe> Slam::keyframes() const {
-  impl_->jobs.wait_until_left(0);
-  const MapState& map = impl_->mapper.map();
+  const ExclusiveAccess impl(impl_, "Slam");
+  const MapState& map = impl->finished_map();
   std::vector<Keyframe> keyframes;
   for (std::size_t i = 0; i < map.keyframes.size(); ++i) {
     const StoredKeyframe& keyframe = map.keyframes[i];
@@ -197,14 +284,22 @@ std::vector<Keyframe> Slam::keyframes() const {
   return keyframes;
 }
 
+Map Slam::map() const {
+  const ExclusiveAccess impl(impl_, "Slam");
+  impl->jobs.wait_until_left(0);
+  return impl->mapper.to_map();
+}
+
 std::vector<LoopCandidate> Slam::loop_candidates() const {
-  impl_->jobs.wait_until_left(0);
-  return impl_->mapper.candidates();
+  const ExclusiveAccess impl(impl_, "Slam");
+  impl->jobs.wait_until_left(0);
+  return impl->mapper.candidates();
 }
 
 GraphStatistics Slam::statistics() const {
-  impl_->jobs.wait_until_left(0);
-  return impl_->mapper.statistics();
+  const ExclusiveAccess impl(impl_, "Slam");
+  impl->jobs.wait_until_left(0);
+  return impl->mapper.statistics();
 }
 
 }  // namespace cvo_slam

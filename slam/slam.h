@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/core/trajectory.h"
@@ -25,9 +26,18 @@ enum class TrajectoryView {
   kOnline,
 };
 
+/// What becomes of a map that Slam was made from.
+enum class MapUse {
+  kExtend,    ///< frames add to it; a part that never meets it stays a submap of its own
+  kLocalize,  ///< it stays as it is, and frames are located in it
+};
+
 /// A keyframe of the map.
 struct Keyframe {
-  std::size_t number = 0;  ///< RgbdFrame::index of its frame; files and edges name it so
+  /// RgbdFrame::index of its frame; files and edges name it so. Keyframes of a map that was loaded
+  /// keep theirs, and those of new frames are counted on: the index plus one more than the largest
+  /// number there.
+  std::size_t number = 0;
   Timestamp stamp;
   int submap = 0;  ///< poses of different submaps are of different worlds
   SE3 T_world_camera;
@@ -48,12 +58,21 @@ struct Keyframe {
 ///
 /// Results do not depend on the number of threads, the schedule or timing. Until finish() the
 /// functions below answer for the keyframes that the map has so far; they wait for work that is
-/// under way.
+/// under way. An object serves one thread at a time, and none after it was moved from: every
+/// function throws UsageError otherwise.
 class Slam {
  public:
   /// Throws OptionError if the camera or an option is impossible. Loops use the built-in vocabulary
   /// if `vocabulary` is null.
   explicit Slam(const Camera& camera, const SlamOptions& options = {},
+                const std::shared_ptr<const Vocabulary>& vocabulary = nullptr);
+  /// Goes on from a map that map() returned or read_map() has read, with the camera that it was
+  /// made with. Frames are numbered from 0 again. kExtend: tracking starts in a submap of its own,
+  /// which is joined with the map as soon as enough keyframes say where it is. kLocalize: frames
+  /// have a pose in the map (FrameRecord::localized) once some in a row agree on where the camera
+  /// is; the cost of a frame does not grow. Throws DataError if the map has no memory (Map::memory)
+  /// or its parts do not belong together, and OptionError.
+  explicit Slam(const Map& map, const SlamOptions& options = {}, MapUse use = MapUse::kExtend,
                 const std::shared_ptr<const Vocabulary>& vocabulary = nullptr);
   ~Slam();
   Slam(Slam&& other) noexcept;
@@ -68,12 +87,15 @@ class Slam {
   /// Optimises the whole graph. May be called again; tracking may go on after it.
   void finish();
 
-  /// The path of the camera in the submap with most frames; for kFinal, after joining. Frames of
-  /// other submaps are lost.
+  /// The path of the camera in the submap with most frames; for kFinal, after joining. In a map
+  /// that was loaded, if any frame is located in it. Frames of other submaps are lost.
   [[nodiscard]] Trajectory trajectory(TrajectoryView view = TrajectoryView::kFinal) const;
   /// Nodes are keyframes; their ids are the keyframes' numbers.
   [[nodiscard]] PoseGraph pose_graph() const;
   [[nodiscard]] std::vector<Keyframe> keyframes() const;
+  /// The map, to be written by write_map() or given to another Slam: keyframes with their points
+  /// and features, and the graph; without the coloured surface (Map::points).
+  [[nodiscard]] Map map() const;
   /// Every pair that was tried, with its verdict.
   [[nodiscard]] std::vector<LoopCandidate> loop_candidates() const;
   [[nodiscard]] GraphStatistics statistics() const;

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/text_files.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/io/dataset/image_lists_internal.h"
 #include "cvo_slam/io/image_files_internal.h"
 #include "cvo_slam/io/text_internal.h"

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cvo_slam/core/text_files.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/tests/temporary_folder.h"
 
 namespace cvo_slam {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <random>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -219,6 +221,16 @@ TEST_F(TrackerOnSyntheticFrames, ImagesMayBeOverwrittenAfterTheCall) {
     EXPECT_EQ(tracker.track(buffer).record.T_world_camera.matrix(),
               expected[i].T_world_camera.matrix());
   }
+}
+
+TEST(Tracker, AnObjectThatWasMovedFromSaysSo) {
+  Tracker tracker{Camera()};
+  const Tracker other = std::move(tracker);
+  EXPECT_THROW(tracker.track({}), UsageError);  // NOLINT(bugprone-use-after-move)
+  Registration registration;
+  const Registration another = std::move(registration);
+  // NOLINTNEXTLINE(bugprone-use-after-move)
+  EXPECT_THROW(std::ignore = registration.align({}, {}), UsageError);
 }
 
 TEST(Tracker, RejectsImpossibleCamerasAndOptions) {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -249,6 +250,15 @@ TEST_F(SlamOnSyntheticFrames, IndicesMustAscend) {
   Slam slam = make_slam();
   track(slam, 0, 2);
   EXPECT_THROW(slam.track(frames_[1]), DataError);
+}
+
+TEST_F(SlamOnSyntheticFrames, AnObjectThatWasMovedFromSaysSo) {
+  Slam slam = make_slam();
+  const Slam other = std::move(slam);
+  EXPECT_THROW(slam.track(frames_[0]), UsageError);  // NOLINT(bugprone-use-after-move)
+  EXPECT_THROW(slam.finish(), UsageError);
+  EXPECT_THROW(std::ignore = slam.trajectory(), UsageError);
+  EXPECT_TRUE(other.keyframes().empty());
 }
 
 TEST_F(SlamOnSyntheticFrames, ImpossibleOptionsAreErrors) {

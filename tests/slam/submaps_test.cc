@@ -24,8 +24,7 @@ class SubmapLinks : public testing::Test {
  protected:
   SubmapLinks() {
     for (std::size_t i = 0; i < 2 * kKeyframes; ++i) {
-      map_.keyframes.add(
-          {10 * i, Timestamp(), i < kKeyframes ? 0 : 1, std::make_shared<const PointCloud>(), 0});
+      map_.keyframes.add({10 * i, Timestamp(), i < kKeyframes ? 0 : 1, CompactCloud(), 0});
       map_.graph.add_keyframe(10 * i, at(0.5 * static_cast<double>(i % kKeyframes), 0));
     }
   }
@@ -51,7 +50,7 @@ class SubmapLinks : public testing::Test {
 
   static constexpr std::size_t kKeyframes = 5;
   SE3 T_worlds_ = at(3, -2, 1.2);
-  MapState map_{{}, MapGraph(OptimizerOptions()), {}, {}, {}};
+  MapState map_{{}, MapGraph(OptimizerOptions()), {}, {}, {}, 0};
   std::vector<SubmapLink> links_;
   RelocalizationOptions options_;
 };

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/python/arrays_internal.h"
+
+namespace cvo_slam::python {
+
+/// Makes frames of arrays, numbered from 0, without copying what need not be copied: they are valid
+/// as long as the arrays.
+class NextFrame {
+ public:
+  /// The next frame follows this one.
+  void after(std::size_t index) { index_ = index + 1; }
+
+  [[nodiscard]] RgbdFrame frame(const pybind11::array& rgb, const pybind11::array& depth,
+                                double stamp, const std::optional<double>& depth_stamp) const {
+    RgbdFrame frame;
+    frame.index = index_;
+    frame.stamp = stamp_from(stamp, "stamp");
+    frame.depth_stamp = depth_stamp ? stamp_from(*depth_stamp, "depth_stamp") : frame.stamp;
+    frame.color = color_image_from(rgb);
+    frame.depth = depth_image_from(depth);
+    return frame;
+  }
+
+ private:
+  std::size_t index_ = 0;
+};
+
+}  // namespace cvo_slam::python

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 The cvo_slam authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples, and the package as pip installs it."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import cvo_slam
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "python" / "examples"
+
+
+def run_python(folder: Path, *arguments: str, python: str = sys.executable) -> str:
+    done = subprocess.run([python, *arguments], cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_example_of_a_recording(recording: Path, tmp_path: Path) -> None:
+    printed = run_python(tmp_path, str(EXAMPLES / "track_sequence.py"), str(recording))
+    assert "24 poses" in printed and "AbsoluteTrajectoryError" in printed
+    assert len(cvo_slam.Trajectory.read(tmp_path / "trajectory.txt")) == 24
+
+
+def test_example_of_own_images(tmp_path: Path) -> None:
+    run_python(tmp_path, str(EXAMPLES / "own_images.py"))
+    trajectory = cvo_slam.Trajectory.read(tmp_path / "own_images.txt")
+    # 29 steps of 2 px at 2 m with a focal length of 260 px.
+    np.testing.assert_allclose(trajectory.positions[-1], [29 * 2 * 2 / 260, 0, 0], atol=0.003)
+
+
+def test_the_wheel_in_a_clean_environment(tmp_path: Path) -> None:
+    """numpy comes from Debian, everything else from the wheel."""
+    pip = ["-m", "pip", "--quiet", "--disable-pip-version-check"]
+    run_python(tmp_path, *pip, "wheel", "--no-build-isolation", "--no-index", "--no-deps", str(ROOT))
+    (wheel,) = tmp_path.glob("*.whl")
+    run_python(tmp_path, "-m", "venv", "--system-site-packages", "fresh")
+    python = str(tmp_path / "fresh" / "bin" / "python")
+    run_python(tmp_path, *pip, "install", "--no-index", "--no-deps", str(wheel), python=python)
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    printed = subprocess.run(
+        [python, str(EXAMPLES / "own_images.py")],
+        cwd=tmp_path,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    assert "0.967 s: x = 0.4" in printed
