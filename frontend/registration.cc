@@ -114,7 +114,7 @@ OptionSet describe(RegistrationOptions& o) {
       .add("length_scales", o.length_scales, {1e-4, 10}, "m",
            "Length scales of the position kernel, coarse to fine, run one after the other for "
            "every pair of clouds. The first reaches motions that the prediction misses by a "
-           "decimetre; the last is a Kinect's depth noise at 3 m.")
+           "decimetre; below the last, recordings of a Kinect do not gain.")
       .expert()
       .add("solver", o.solver, {{"flow", Solver::kFlow}, {"newton", Solver::kNewton}},
            "Solver: newton finds the same maximum as the paper's flow in a fraction of the "

@@ -63,9 +63,9 @@ struct FlowConstants {
 
 struct RegistrationOptions {
   /// Length scales of the position kernel [m], run one after the other for every pair of clouds,
-  /// coarse to fine. The first reaches motions that the prediction misses by a decimetre; the last
-  /// is a Kinect's depth noise at 3 m. Scale them with the depth noise of the sensor; coarse scales
-  /// alone are biased towards dense regions.
+  /// coarse to fine. The first reaches motions that the prediction misses by a decimetre; below the
+  /// last, recordings of a Kinect do not gain. Scale them with the depth noise of the sensor;
+  /// coarse scales alone are biased towards dense regions.
   std::vector<double> length_scales = {0.1, 0.05, 0.025, 0.015, 0.0125};
   /// Finer ones that follow where the depth is clean (PointCloud::surface_noise below 0.1 mm/m^2)
   /// [m].

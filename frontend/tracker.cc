@@ -79,13 +79,14 @@ struct Tracker::Impl {
   FrameRecord blank;                                     // its record before anything is known
   bool frame_is_last_tracked = false;                    // true if it is in last_tracked now
   PreparedFrame last_tracked;
+  RgbdFrame keyframe_images;
   std::optional<CurrentKeyframe> keyframe;
   std::optional<TrackerKeyframe> pending;  // made of the last tracked frame, not yet returned
   bool pending_was_taken = false;          // true if that was returned by take_keyframe()
   int submap = 0;
   int lost_in_a_row = 0;
 
-  TrackedFrame track(const RgbdFrame& given);
+  TrackedFrame track(const RgbdFrame& given, const StartFinder& find_start);
   FrameRecord resume(const SE3& T_world_camera);
   PointCloud select_keyframe_points();
 
@@ -98,8 +99,10 @@ struct Tracker::Impl {
   }
 
   [[nodiscard]] bool is_far(const Timestamp& stamp) const;
-  Registered register_frame();
+  Registered register_frame(const StartFinder& find_start);
+  void try_found_start(const StartFinder& find_start, Registered& best);
   Registered register_from(const SE3& T_world_camera_init, int skip);
+  [[nodiscard]] TrackingSituation situation_of(const Registered& registered, bool is_lost) const;
   Registered register_to_remade_keyframe(const Registered& first);
 
   [[nodiscard]] FrameRecord accept(FrameRecord record);
@@ -109,7 +112,7 @@ struct Tracker::Impl {
   void make_keyframe();
 };
 
-TrackedFrame Tracker::Impl::track(const RgbdFrame& given) {
+TrackedFrame Tracker::Impl::track(const RgbdFrame& given, const StartFinder& find_start) {
   prepare(given);
   FrameRecord record = blank;
   const std::string problem = select_points_of_frame();
@@ -117,7 +120,7 @@ TrackedFrame Tracker::Impl::track(const RgbdFrame& given) {
   if (!problem.empty()) return {reject(std::move(record), problem), std::nullopt};
   if (!keyframe) return {start_submap(std::move(record), motion.last_pose()), std::nullopt};
 
-  const Registered registered = register_frame();
+  const Registered registered = register_frame(find_start);
   record.keyframe = registered.keyframe;
   record.promoted_keyframe = registered.promoted_keyframe;
   record.registration = registered.result;
@@ -206,7 +209,7 @@ bool Tracker::Impl::is_far(const Timestamp& stamp) const {
 /// attempt makes it the keyframe, which it stays even if the attempt fails. A failure also forgets
 /// the velocity. The first success with a keyframe that was made without it, as at a start, makes
 /// that keyframe again.
-Registered Tracker::Impl::register_frame() {
+Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   const Timestamp stamp = frame.images.stamp;
   if (stamp <= motion.last_stamp()) {
     Registered none;
@@ -226,10 +229,12 @@ Registered Tracker::Impl::register_frame() {
         (wider.is_believed() && wider.result.cos_theta > registered.result.cos_theta);
     if (is_better) registered = wider;
   }
+  if (!registered.is_believed() || is_far(stamp)) try_found_start(find_start, registered);
   if (!registered.is_believed() && from_velocity) registered = register_from(motion.last_pose(), 0);
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
     make_keyframe();
     registered = register_from(motion.last_pose(), 0);
+    if (!registered.is_believed()) try_found_start(find_start, registered);
     registered.promoted_keyframe = keyframe->frame;
   }
   if (registered.is_believed() && predict && keyframe->lacks_velocity) {
@@ -237,6 +242,29 @@ Registered Tracker::Impl::register_frame() {
   }
   if (!registered.is_believed()) motion.forget_velocity();
   return registered;
+}
+
+/// Registers from the start that `find_start` finds, and keeps the answer in `best` if it is the
+/// more similar one.
+void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& best) {
+  if (!find_start) return;
+  const auto T_keyframe_camera = find_start(keyframe_images, frame.images);
+  if (!T_keyframe_camera) return;
+  Registered found =
+      register_from(keyframe->T_world_camera * *T_keyframe_camera, options.recovery_scales);
+  // Blurred images are less similar. Two measurements that agree make up for that.
+  constexpr double kSameTranslation = 0.06;  // [m]; features of blurred images are as inexact
+  constexpr double kSameRotation = 0.06;     // [rad]
+  const SE3 T_start_found = T_keyframe_camera->inverse() * found.result.T_fixed_moving;
+  if (!found.is_believed() && T_start_found.translation().norm() < kSameTranslation &&
+      T_start_found.angle() < kSameRotation) {
+    LostOptions lenient = options.lost;
+    lenient.min_cos_theta *= 0.5;
+    lenient.min_overlap *= 0.67;
+    found.fault = find_fault(found.result, situation_of(found, false), lenient);
+  }
+  if (!found.is_believed()) return;
+  if (!best.is_believed() || found.result.cos_theta > best.result.cos_theta) best = found;
 }
 
 /// Registers the frame in work to the keyframe from a start, and judges the result.
@@ -258,11 +286,15 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
     registered.result = registration.align(points, T_init, skip);
   }
   registered.T_world_camera = T_world_keyframe * registered.result.T_fixed_moving;
-  const TrackingSituation situation = {motion.last_pose().inverse() * registered.T_world_camera,
-                                       seconds_between(motion.last_stamp(), stamp),
-                                       lost_in_a_row > 0};
-  registered.fault = find_fault(registered.result, situation, options.lost);
+  registered.fault =
+      find_fault(registered.result, situation_of(registered, lost_in_a_row > 0), options.lost);
   return registered;
+}
+
+/// How far the frame in work would be from the last tracked one.
+TrackingSituation Tracker::Impl::situation_of(const Registered& registered, bool is_lost) const {
+  return {motion.last_pose().inverse() * registered.T_world_camera,
+          seconds_between(motion.last_stamp(), frame.images.stamp), is_lost};
 }
 
 /// The first keyframe of a submap was made before its motion was known. Makes it again with the
@@ -332,6 +364,7 @@ void Tracker::Impl::keep_as_last_tracked(const SE3& T_world_camera) {
 void Tracker::Impl::make_keyframe() {
   const RgbdFrame& images = last_tracked.images;
   keyframe = {images.index, motion.last_pose(), true, !motion.has_velocity()};
+  keyframe_images = images;
   policy.keyframe_made();
   select(last_tracked, options.keyframe_points, keyframe_points);
   undo_shutter(motion.velocity(), keyframe_points);
@@ -349,8 +382,8 @@ Tracker::~Tracker() = default;
 Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
-TrackedFrame Tracker::track(const RgbdFrame& frame) {
-  return ExclusiveAccess(impl_, "Tracker")->track(frame);
+TrackedFrame Tracker::track(const RgbdFrame& frame, const StartFinder& find_start) {
+  return ExclusiveAccess(impl_, "Tracker")->track(frame, find_start);
 }
 
 FrameRecord Tracker::resume(const SE3& T_world_camera) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -142,6 +143,11 @@ struct TrackerKeyframe {
   RgbdFrame images;  ///< its images; the memory is shared, never written again
 };
 
+/// Finds T_keyframe_camera of a frame from the images of the two, whatever the motion between them:
+/// by features, for example. None if it cannot.
+using StartFinder =
+    std::function<std::optional<SE3>(const RgbdFrame& keyframe, const RgbdFrame& frame)>;
+
 /// What Tracker::track() returns for a frame.
 struct TrackedFrame {
   FrameRecord record;
@@ -160,8 +166,11 @@ class Tracker {
   Tracker& operator=(Tracker&& other) noexcept;
 
   /// Tracks the next frame, whose images are copied. Never throws on a bad image: the status is
-  /// kLost then, with a reason. The first tracked camera is the origin of the world.
-  TrackedFrame track(const RgbdFrame& frame);
+  /// kLost then, with a reason. The first tracked camera is the origin of the world. `find_start`
+  /// is asked for another start of the registration where the prediction is not to be trusted: a
+  /// long time after the last frame, and where a registration is not believed. Of the answers from
+  /// different starts the most similar one is taken.
+  TrackedFrame track(const RgbdFrame& frame, const StartFinder& find_start = {});
 
   /// Continues at the frame that track() was given last and called lost, at a pose that a caller
   /// has recognised: a new submap starts there. Take the newest keyframe before: one that was not

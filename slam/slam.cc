@@ -14,6 +14,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/exclusive_access.h"
+#include "cvo_slam/slam/feature_start_internal.h"
 #include "cvo_slam/slam/final_trajectory_internal.h"
 #include "cvo_slam/slam/job_queue_internal.h"
 #include "cvo_slam/slam/mapper_internal.h"
@@ -34,6 +35,13 @@ struct SubmittedKeyframe {
   std::shared_ptr<CorrectedPose> pose_in_map;  // written by the job
 };
 
+std::optional<FeatureStart> make_feature_start(
+    const Camera& camera, const SlamOptions& options,
+    const std::shared_ptr<const Vocabulary>& vocabulary) {
+  if (!options.loops.enabled) return std::nullopt;
+  return FeatureStart(camera, options.loops.detection, vocabulary);
+}
+
 /// Where the map has a tracked submap.
 struct Correction {
   int submap = 0;
@@ -46,6 +54,7 @@ struct Slam::Impl {
   Impl(const Camera& camera, const SlamOptions& options_in,
        const std::shared_ptr<const Vocabulary>& vocabulary)
       : options(checked(options_in)),
+        start(make_feature_start(camera, options, vocabulary)),
         tracker(camera, options.tracker),
         consensus(options.loops.relocalization.frames, options.tracker.lost.max_speed,
                   options.tracker.lost.max_angular_speed),
@@ -54,6 +63,7 @@ struct Slam::Impl {
 
   std::atomic_flag in_use;  // see ExclusiveAccess
   SlamOptions options;
+  std::optional<FeatureStart> start;  // where images may be compared by features
   Tracker tracker;
   FrameHistory history;
   FrameRecord last_tracked_record;           // of the last tracked frame, as the tracker answered
@@ -93,7 +103,10 @@ FrameRecord Slam::Impl::track(RgbdFrame frame) {
                     "in ascending order",
                     frame.index - first_number, history.newest().frame - first_number));
   }
-  auto [tracked, keyframe] = tracker.track(frame);
+  const StartFinder find_start = [this](const RgbdFrame& reference, const RgbdFrame& image) {
+    return start->find(reference, image);
+  };
+  auto [tracked, keyframe] = tracker.track(frame, start ? find_start : StartFinder());
   tracked.submap += first_submap;
   const bool extends_map = map_use != MapUse::kLocalize;
   // The keyframe that has become final is the frame tracked before this one: submit() reads
@@ -242,7 +255,9 @@ void Slam::Impl::finish() {
 
 Slam::Slam(const Camera& camera, const SlamOptions& options,
            const std::shared_ptr<const Vocabulary>& vocabulary)
-    : impl_(std::make_unique<Impl>(camera, options, vocabulary)) {}
+    : impl_(std::make_unique<Impl>(
+          camera, options,
+          options.loops.enabled && !vocabulary ? builtin_vocabulary() : vocabulary)) {}
 
 Slam::Slam(const Map& map, const SlamOptions& options, MapUse use,
            const std::shared_ptr<const Vocabulary>& vocabulary)

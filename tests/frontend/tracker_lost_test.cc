@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -247,6 +248,40 @@ TEST(ToTrajectory, OfTwoSubmapsOfOneLengthKeepsTheFirst) {
   EXPECT_EQ(trajectory.poses[0].stamp, Timestamp(0));
   ASSERT_EQ(trajectory.lost.size(), 2U);
   EXPECT_EQ(trajectory.lost[0].reason, "submap 1 is not connected to the trajectory's submap 0");
+}
+
+// Half a second of a turn lies between two frames: CVO does not reach that far from the prediction.
+TEST_F(LostFrames, AStartThatSomebodyFindsReachesFurther) {
+  constexpr std::size_t kFar = 30;
+  constexpr std::size_t kAskedFor = 31;
+  std::size_t asked = 0;
+  const StartFinder find_start = [&](const RgbdFrame& keyframe, const RgbdFrame& frame) {
+    ++asked;
+    return frames_.T_first_camera(keyframe.index, frame.index);
+  };
+  for (std::size_t i = 0; i < 3; ++i) tracker_.track(frames_.frame(i), find_start);
+  EXPECT_EQ(asked, 0U) << "frames that follow one another need no help";
+  expect_tracked(tracker_.track(frames_.frame(kFar), find_start).record);
+  EXPECT_GT(asked, 0U);
+  EXPECT_EQ(tracker_.track(frames_.frame(kAskedFor), find_start).record.keyframe, kFar);
+  Tracker alone(frames_.camera(), options_);
+  for (std::size_t i = 0; i < 3; ++i) alone.track(frames_.frame(i));
+  EXPECT_EQ(alone.track(frames_.frame(kFar)).record.status, TrackingStatus::kLost);
+}
+
+// Whoever finds it may be wrong.
+TEST_F(LostFrames, AFoundStartIsNotTakenBlindly) {
+  const StartFinder find_nonsense = [](const RgbdFrame&, const RgbdFrame&) {
+    return SE3(so3_exp({0, 1, 0}), {0.5, 0, 0});
+  };
+  const StartFinder find_nothing = [](const RgbdFrame&, const RgbdFrame&) {
+    return std::optional<SE3>();
+  };
+  for (std::size_t i = 0; i < 3; ++i) tracker_.track(frames_.frame(i));
+  // Two frame periods: the prediction is good, but somebody is asked.
+  expect_tracked(tracker_.track(frames_.frame(5), find_nonsense).record);
+  expect_tracked(tracker_.track(frames_.frame(8), find_nothing).record);
+  expect_lost(tracker_.track(frames_.frame(60, kElsewhere), find_nonsense).record, "");
 }
 
 }  // namespace

@@ -18,10 +18,13 @@
 #include "cvo_slam/io/dataset/image_lists_internal.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/io/image_header_internal.h"
+#include "cvo_slam/io/map_memory_files_internal.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/ply.h"
 #include "cvo_slam/io/trajectory_files.h"
+#include "cvo_slam/loop/orb_features.h"
 #include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/slam/compact_cloud_internal.h"
 #include "cvo_slam/slam/slam_options.h"
 #include "cvo_slam/synthetic/world.h"
 
@@ -93,6 +96,42 @@ void parse_vocabulary(std::string_view bytes) {
 
 void parse_image(std::string_view bytes) { static_cast<void>(parse_image_header(bytes)); }
 
+const fs::path& map_folder() {
+  static const fs::path folder = [] {
+    fs::create_directories(scratch_folder() / "map");
+    write_scratch("map/camera.yaml",
+                  "width: 640\nheight: 480\nfx: 525\nfy: 525\ncx: 320\ncy: 240\n"
+                  "depth_scale: 1000\n");
+    write_scratch("map/keyframes.bin", std::string(64, 'x'));
+    return scratch_folder() / "map";
+  }();
+  return folder;
+}
+
+void parse_map_header(std::string_view bytes) {
+  map_folder();
+  write_scratch("map/map.yaml", bytes);
+  check_header(map_folder());
+}
+
+void parse_map_keyframes(std::string_view bytes) {
+  map_folder();
+  write_scratch("map/map.yaml", "vocabulary: 0\ncos_theta: [1, 2]\n");
+  write_scratch("map/keyframes.csv", bytes);
+  static_cast<void>(read_memory(map_folder()));
+}
+
+/// The bytes of a keyframe, as they are after their checksum was found right.
+void parse_map_bytes(std::string_view bytes) {
+  if (bytes.empty()) return;
+  const std::string_view rest = bytes.substr(1);
+  if (bytes.front() == 'p') {
+    static_cast<void>(CompactCloud::from_bytes(rest).points());
+  } else {
+    static_cast<void>(features_from_bytes(rest, PinholeCamera()));
+  }
+}
+
 constexpr std::array kTargets = {
     FuzzTarget{"lists", parse_lists},
     FuzzTarget{"associations", parse_associations},
@@ -105,6 +144,9 @@ constexpr std::array kTargets = {
     FuzzTarget{"vocabulary_binary", parse_vocabulary},
     FuzzTarget{"vocabulary_text", parse_vocabulary},
     FuzzTarget{"image_header", parse_image},
+    FuzzTarget{"map_header", parse_map_header},
+    FuzzTarget{"map_keyframes", parse_map_keyframes},
+    FuzzTarget{"map_bytes", parse_map_bytes},
 };
 
 }  // namespace
