@@ -18,7 +18,7 @@ constexpr double kAccuracy = 5e-5;   // at which the search ends [s]
 constexpr double kLeastPairs = 0.8;  // share of the most pairs at any offset that one must have
 /// An offset must be this much better than the worst one near it.
 constexpr double kLeastGain = 0.01;
-constexpr double kNear = 0.1;  // [s]
+constexpr double kNearby = 0.1;  // [s]
 
 struct OffsetError {
   double rotation = std::numeric_limits<double>::infinity();  // RMSE over a second [rad]
@@ -44,7 +44,7 @@ std::optional<double> measure_time_offset(const std::vector<StampedPose>& refere
                                           const std::vector<StampedPose>& estimate,
                                           const AssociationOptions& options) {
   constexpr int kSteps = static_cast<int>(kLargestOffset / kStep);
-  constexpr int kNearSteps = static_cast<int>(kNear / kStep);
+  constexpr int kNearbySteps = static_cast<int>(kNearby / kStep);
   std::vector<OffsetError> errors;
   std::size_t most = 0;
   for (int i = -kSteps; i <= kSteps; ++i) {
@@ -66,7 +66,7 @@ std::optional<double> measure_time_offset(const std::vector<StampedPose>& refere
     if (error_of_step(i) < error_of_step(best)) best = i;
   }
   double worst_near = 0;
-  for (int k = best - kNearSteps; k <= best + kNearSteps; ++k) {
+  for (int k = best - kNearbySteps; k <= best + kNearbySteps; ++k) {
     if (std::isfinite(error_of_step(k))) worst_near = std::max(worst_near, error_of_step(k));
   }
   const bool is_found = std::isfinite(error_of_step(best - 1)) &&

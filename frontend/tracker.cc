@@ -244,27 +244,42 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   return registered;
 }
 
-/// Registers from the start that `find_start` finds, and keeps the answer in `best` if it is the
-/// more similar one.
+/// Registers from the start that `find_start` finds. Its answer replaces `best` if it stays near
+/// that start and `best` is elsewhere, because two ways to measure agree then; otherwise if it is
+/// the more similar one. Without such an answer, what is far from the start is not believed any
+/// more.
 void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& best) {
   if (!find_start) return;
-  const auto T_keyframe_camera = find_start(keyframe_images, frame.images);
-  if (!T_keyframe_camera) return;
-  Registered found =
-      register_from(keyframe->T_world_camera * *T_keyframe_camera, options.recovery_scales);
-  // Blurred images are less similar. Two measurements that agree make up for that.
+  const auto T_keyframe_start = find_start(keyframe_images, frame.images);
+  if (!T_keyframe_start) return;
+  const auto is_near_start = [&](const Registered& registered, double translation,
+                                 double rotation) {
+    const SE3 difference = T_keyframe_start->inverse() * registered.result.T_fixed_moving;
+    return difference.translation().norm() < translation && difference.angle() < rotation;
+  };
   constexpr double kSameTranslation = 0.06;  // [m]; features of blurred images are as inexact
   constexpr double kSameRotation = 0.06;     // [rad]
-  const SE3 T_start_found = T_keyframe_camera->inverse() * found.result.T_fixed_moving;
-  if (!found.is_believed() && T_start_found.translation().norm() < kSameTranslation &&
-      T_start_found.angle() < kSameRotation) {
+  Registered found =
+      register_from(keyframe->T_world_camera * *T_keyframe_start, options.recovery_scales);
+  const bool agrees = is_near_start(found, kSameTranslation, kSameRotation);
+  if (!found.is_believed() && agrees) {
+    // Blurred images are less similar. That two measurements agree makes up for it.
     LostOptions lenient = options.lost;
     lenient.min_cos_theta *= 0.5;
     lenient.min_overlap *= 0.67;
     found.fault = find_fault(found.result, situation_of(found, false), lenient);
   }
-  if (!found.is_believed()) return;
-  if (!best.is_believed() || found.result.cos_theta > best.result.cos_theta) best = found;
+  constexpr double kElsewhere = 2.5;  // times as far
+  const bool best_is_elsewhere =
+      best.is_believed() &&
+      !is_near_start(best, kElsewhere * kSameTranslation, kElsewhere * kSameRotation);
+  if (found.is_believed()) {
+    const bool is_better = !best.is_believed() || (agrees && best_is_elsewhere) ||
+                           found.result.cos_theta > best.result.cos_theta;
+    if (is_better) best = found;
+  } else if (best_is_elsewhere) {
+    best.fault = "the features of the images say that the camera is elsewhere";
+  }
 }
 
 /// Registers the frame in work to the keyframe from a start, and judges the result.
