@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the tracker's two sources share: tracker.cc follows a frame's way, tracker_registration.cc
+// finds its pose.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "cvo_slam/core/exclusive_access.h"
+#include "cvo_slam/frontend/exposure_internal.h"
+#include "cvo_slam/frontend/motion_model_internal.h"
+#include "cvo_slam/frontend/tracker.h"
+#include "cvo_slam/frontend/tracking_judgement_internal.h"
+
+namespace cvo_slam {
+
+/// A registration of the frame in work to a keyframe, with its judgement.
+struct Registered {
+  std::size_t keyframe = 0;  // index of its frame
+  RegistrationResult result;
+  SE3 T_world_camera;
+  std::string fault;  // why it is not believed; empty if it is
+  std::optional<std::size_t> promoted_keyframe = std::nullopt;
+
+  [[nodiscard]] bool is_believed() const { return fault.empty(); }
+};
+
+/// The keyframe that frames are registered to.
+struct CurrentKeyframe {
+  std::size_t frame = 0;  // index of its frame
+  SE3 T_world_camera;
+  bool is_last_tracked = false;  // true until a later frame is tracked
+  bool lacks_velocity = false;   // true if its points were selected without the camera's motion
+};
+
+/// Keyframes are always made of the last tracked frame, whose pose is motion.last_pose().
+struct Tracker::Impl {
+  Impl(const Camera& camera_in, const TrackerOptions& options_in);
+
+  std::atomic_flag in_use;  // see ExclusiveAccess
+  Camera camera;
+  TrackerOptions options;
+  PointSelector selector;
+  FieldOfView field_of_view;
+  Registration registration;  // to the current keyframe
+  MotionModel motion;
+  ExposureGain exposure;
+  KeyframePolicy policy;
+
+  PreparedFrame frame;  // the one given last; after it was tracked, memory
+  PointCloud seen;      // its points as its rows saw them
+  PointCloud points;    // its points at its stamp
+  PointCloud keyframe_points;
+  std::string image_problem = "no frame was given yet";  // why its images are of no use
+  FrameRecord blank;                                     // its record before anything is known
+  bool frame_is_last_tracked = false;                    // true if it is in last_tracked now
+  PreparedFrame last_tracked;
+  RgbdFrame keyframe_images;  // for a StartFinder; empty without
+  bool has_start_finder = false;
+  std::optional<CurrentKeyframe> keyframe;
+  std::optional<TrackerKeyframe> pending;  // made of the last tracked frame, not yet returned
+  bool pending_was_taken = false;          // true if that was returned by take_keyframe()
+  int submap = 0;
+  int lost_in_a_row = 0;
+
+  TrackedFrame track(const RgbdFrame& given, const StartFinder& find_start);
+  FrameRecord resume(const SE3& T_world_camera);
+  PointCloud select_keyframe_points();
+
+  void prepare(const RgbdFrame& given);
+  [[nodiscard]] std::string select_points_of_frame();
+  void select(const PreparedFrame& from, int count, PointCloud& cloud);
+  void undo_shutter(const Vector6& velocity, PointCloud& cloud) const;
+  [[nodiscard]] bool has_rolling_shutter() const {
+    return options.compensate_rolling_shutter && camera.readout_time > 0;
+  }
+
+  [[nodiscard]] bool is_far(const Timestamp& stamp) const;
+  Registered register_frame(const StartFinder& find_start);
+  void try_found_start(const StartFinder& find_start, Registered& best);
+  Registered register_from(const SE3& T_world_camera_init, int skip);
+  [[nodiscard]] TrackingSituation situation_of(const Registered& registered, bool is_lost) const;
+  Registered register_to_remade_keyframe(const Registered& first);
+
+  [[nodiscard]] FrameRecord accept(FrameRecord record);
+  [[nodiscard]] FrameRecord start_submap(FrameRecord record, const SE3& T_world_camera);
+  [[nodiscard]] FrameRecord reject(FrameRecord record, const std::string& reason);
+  void keep_as_last_tracked(const SE3& T_world_camera);
+  void make_keyframe();
+};
+
+}  // namespace cvo_slam

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/frontend/tracker_impl_internal.h"
+
+namespace cvo_slam {
+
+/// Returns true if the camera may have left its predicted way by more than fine kernels reach: a
+/// hand turns ever faster by 20 rad/s^2 at most, in this time by 0.025 rad, and points 2 m away
+/// move by 0.05 m.
+bool Tracker::Impl::is_far(const Timestamp& stamp) const {
+  constexpr double kLongestPrediction = 0.05;  // [s]
+  return seconds_between(motion.last_stamp(), stamp) > kLongestPrediction;
+}
+
+/// Registers from the predicted pose; if that fails, with all length scales, and so too if the last
+/// frame is long ago: the more similar of the two answers is taken; if that fails too,
+/// without the velocity; and at last to the last tracked frame, the most similar one there is. That
+/// attempt makes it the keyframe, which it stays even if the attempt fails. A failure also forgets
+/// the velocity. The first success with a keyframe that was made without it, as at a start, makes
+/// that keyframe again.
+Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
+  const Timestamp stamp = frame.images.stamp;
+  if (stamp <= motion.last_stamp()) {
+    Registered none;
+    none.fault = fmt::format("its stamp is not after the stamp {} of the last tracked frame",
+                             motion.last_stamp().to_string());
+    return none;
+  }
+  const bool predict = options.prediction == Prediction::kConstantVelocity;
+  const bool from_velocity = predict && motion.has_velocity();
+  const int skip = from_velocity ? options.recovery_scales : 0;
+  const SE3 T_init = predict ? motion.predict(stamp) : keyframe->T_world_camera;
+  Registered registered = register_from(T_init, skip);
+  if (skip > 0 && (!registered.is_believed() || is_far(stamp))) {
+    const Registered wider = register_from(T_init, 0);
+    const bool is_better =
+        !registered.is_believed() ||
+        (wider.is_believed() && wider.result.cos_theta > registered.result.cos_theta);
+    if (is_better) registered = wider;
+  }
+  if (!registered.is_believed() || is_far(stamp)) try_found_start(find_start, registered);
+  if (!registered.is_believed() && from_velocity) registered = register_from(motion.last_pose(), 0);
+  if (!registered.is_believed() && !keyframe->is_last_tracked) {
+    make_keyframe();
+    registered = register_from(motion.last_pose(), 0);
+    if (!registered.is_believed()) try_found_start(find_start, registered);
+    registered.promoted_keyframe = keyframe->frame;
+  }
+  if (registered.is_believed() && predict && keyframe->lacks_velocity) {
+    registered = register_to_remade_keyframe(registered);
+  }
+  if (!registered.is_believed()) motion.forget_velocity();
+  return registered;
+}
+
+/// Registers from the start that `find_start` finds. Its answer replaces `best` if it stays near
+/// that start and `best` is elsewhere, because two ways to measure agree then; otherwise if it is
+/// the more similar one. Without such an answer, what is far from the start and not certain is not
+/// believed any more.
+void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& best) {
+  if (!find_start) return;
+  const auto T_keyframe_start = find_start(keyframe_images, frame.images);
+  if (!T_keyframe_start) return;
+  const auto is_near_start = [&](const Registered& registered, double translation,
+                                 double rotation) {
+    const SE3 difference = T_keyframe_start->inverse() * registered.result.T_fixed_moving;
+    return difference.translation().norm() < translation && difference.angle() < rotation;
+  };
+  constexpr double kSameTranslation = 0.06;  // [m]; features of blurred images are as inexact
+  constexpr double kSameRotation = 0.06;     // [rad]
+  Registered found =
+      register_from(keyframe->T_world_camera * *T_keyframe_start, options.recovery_scales);
+  const bool agrees = is_near_start(found, kSameTranslation, kSameRotation);
+  if (!found.is_believed() && agrees) {
+    // Blurred images are less similar. That two measurements agree makes up for it.
+    LostOptions lenient = options.lost;
+    lenient.min_cos_theta *= 0.5;
+    lenient.min_overlap *= 0.67;
+    found.fault = find_fault(found.result, situation_of(found, false), lenient);
+  }
+  // Enough for a camera that was lost.
+  const auto is_certain = [&](const Registered& registered) {
+    return find_fault(registered.result, situation_of(registered, true), options.lost).empty();
+  };
+  constexpr double kElsewhere = 2.5;  // times as far
+  const bool best_is_elsewhere =
+      best.is_believed() &&
+      !is_near_start(best, kElsewhere * kSameTranslation, kElsewhere * kSameRotation);
+  if (found.is_believed()) {
+    const bool is_better = !best.is_believed() || (agrees && best_is_elsewhere) ||
+                           found.result.cos_theta > best.result.cos_theta;
+    if (is_better) best = found;
+  } else if (best_is_elsewhere && !is_certain(best)) {
+    best.fault = "the features of the images say that the camera is elsewhere";
+  }
+}
+
+/// Registers the frame in work to the keyframe from a start, and judges the result.
+Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip) {
+  const Timestamp stamp = frame.images.stamp;
+  const SE3& T_world_keyframe = keyframe->T_world_camera;
+  const SE3 T_init = T_world_keyframe.inverse() * T_world_camera_init;
+  Registered registered;
+  registered.keyframe = keyframe->frame;
+  points = seen;
+  undo_shutter(motion.velocity(), points);
+  if (has_rolling_shutter()) {
+    // The predicted velocity is a frame old: undo again with the one that was found.
+    const Approach approach = registration.approach(points, T_init, skip);
+    points = seen;
+    undo_shutter(motion.velocity_to(stamp, T_world_keyframe * approach.T_fixed_moving), points);
+    registered.result = registration.refine(points, approach);
+  } else {
+    registered.result = registration.align(points, T_init, skip);
+  }
+  registered.T_world_camera = T_world_keyframe * registered.result.T_fixed_moving;
+  registered.fault =
+      find_fault(registered.result, situation_of(registered, lost_in_a_row > 0), options.lost);
+  return registered;
+}
+
+/// How far the frame in work would be from the last tracked one.
+TrackingSituation Tracker::Impl::situation_of(const Registered& registered, bool is_lost) const {
+  return {motion.last_pose().inverse() * registered.T_world_camera,
+          seconds_between(motion.last_stamp(), frame.images.stamp), is_lost};
+}
+
+/// The first keyframe of a submap was made before its motion was known. Makes it again with the
+/// motion to the frame that was just registered to it, and registers that frame, whose points are
+/// selected again too.
+Registered Tracker::Impl::register_to_remade_keyframe(const Registered& first) {
+  motion.set_velocity(motion.velocity_to(frame.images.stamp, first.T_world_camera));
+  make_keyframe();
+  select(frame, options.points, seen);
+  Registered registered = register_from(first.T_world_camera, options.recovery_scales);
+  registered.promoted_keyframe = first.promoted_keyframe;
+  return registered;
+}
+
+}  // namespace cvo_slam
