@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -90,12 +91,13 @@ TEST(CompactCloud, ItsBytesGiveItBack) {
 
 TEST(CompactCloud, DamagedBytesAreErrors) {
   const std::string bytes = CompactCloud(random_cloud(20, true)).to_bytes();
-  EXPECT_THROW(CompactCloud::from_bytes(""), DataError);
-  EXPECT_THROW(CompactCloud::from_bytes(bytes.substr(0, bytes.size() - 1)), DataError);
-  EXPECT_THROW(CompactCloud::from_bytes(bytes + "x"), DataError);
+  EXPECT_THROW(std::ignore = CompactCloud::from_bytes(""), DataError);
+  EXPECT_THROW(std::ignore = CompactCloud::from_bytes(bytes.substr(0, bytes.size() - 1)),
+               DataError);
+  EXPECT_THROW(std::ignore = CompactCloud::from_bytes(bytes + "x"), DataError);
   std::string many = bytes;
   many[3] = '\x7f';  // two thousand million points
-  EXPECT_THROW(CompactCloud::from_bytes(many), DataError);
+  EXPECT_THROW(std::ignore = CompactCloud::from_bytes(many), DataError);
 }
 
 }  // namespace
