@@ -106,7 +106,7 @@ std::set<std::string> private_names(const SourceFile& file) {
 
 /// Returns the classes that a header defines, with their namespace.
 std::set<std::string> classes_of_namespace(const SourceFile& header) {
-  static const std::regex kClass(R"(^(?:struct|class|enum class) (\w+)\b[^;]*)");
+  static const std::regex kClass(R"(^(?:struct|class|enum class) ((?:\w+::)*\w+)\b[^;]*)");
   static const std::regex kNamespace(R"(^namespace ([\w:]+) \{.*)");
   std::set<std::string> names;
   std::string space;
