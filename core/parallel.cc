@@ -9,6 +9,14 @@
 #include <tbb/task_arena.h>
 
 namespace cvo_slam {
+namespace {
+
+/// Number of loops that were handed to TBB. It orders what was written before a loop before its
+/// chunks for the thread sanitizer; it is no member, because a chunk must not read anything before
+/// it.
+std::atomic<std::size_t> loops_started{0};
+
+}  // namespace
 
 struct Executor::Arena {
   explicit Arena(int threads) : arena(threads) {}
@@ -32,13 +40,15 @@ void Executor::run(std::size_t n, std::size_t chunk_size, const void* function, 
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) run_chunk(chunk);
     return;
   }
-  // TBB itself orders the chunks before the return. The counter repeats this for the thread
-  // sanitizer, because Debian's libtbb is not instrumented.
+  // TBB itself orders the chunks after the call and before the return. The counters repeat this for
+  // the thread sanitizer, because Debian's libtbb is not instrumented.
   std::atomic<std::size_t> finished{0};
   const auto run_and_count = [&](std::size_t chunk) {
+    static_cast<void>(loops_started.load(std::memory_order_acquire));
     run_chunk(chunk);
     finished.fetch_add(1, std::memory_order_release);
   };
+  loops_started.fetch_add(1, std::memory_order_release);
   arena_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run_and_count); });
   static_cast<void>(finished.load(std::memory_order_acquire));
 }
