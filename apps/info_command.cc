@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +15,7 @@
 
 #include "cvo_slam/apps/command_line.h"
 #include "cvo_slam/apps/depth_clock.h"
+#include "cvo_slam/apps/graph_report.h"
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/io/camera_check.h"
 #include "cvo_slam/io/dataset.h"
@@ -139,13 +139,6 @@ void print_text(const Dataset& data, const DepthClock& clock,
   for (const auto& note : notes) fmt::print("note       {}\n", note);
 }
 
-/// Number of edges of a kind.
-std::size_t count_edges(const PoseGraph& graph, EdgeKind kind) {
-  return static_cast<std::size_t>(
-      std::count_if(graph.edges().begin(), graph.edges().end(),
-                    [kind](const PoseGraphEdge& edge) { return edge.kind == kind; }));
-}
-
 /// Describes a map that `run --save-map` wrote.
 int run_map_info(const InfoArguments& arguments) {
   const std::filesystem::path& folder = arguments.sequence.dataset;
@@ -154,20 +147,21 @@ int run_map_info(const InfoArguments& arguments) {
   const MapMemory& memory = *map.memory;
   std::uintmax_t bytes = 0;
   for (const auto& file : std::filesystem::directory_iterator(folder)) bytes += file.file_size();
-  std::size_t words = 0;
-  for (const KeyframeMemory& keyframe : memory.keyframes)
-    words += keyframe.features.empty() ? 0 : 1;
+  std::size_t with_features = 0;
+  for (const KeyframeMemory& keyframe : memory.keyframes) {
+    with_features += keyframe.features.empty() ? 0 : 1;
+  }
   const auto component_of = map.graph.components();
   const std::size_t components =
       std::set<std::size_t>(component_of.begin(), component_of.end()).size();
   const nlohmann::json json = {{"kind", "map"},
                                {"camera", camera_json(memory.camera)},
                                {"keyframes", memory.keyframes.size()},
-                               {"keyframes_with_features", words},
+                               {"keyframes_with_features", with_features},
                                {"submaps", components},
-                               {"odometry_edges", count_edges(map.graph, EdgeKind::kOdometry)},
-                               {"proximity_edges", count_edges(map.graph, EdgeKind::kProximity)},
-                               {"loop_edges", count_edges(map.graph, EdgeKind::kLoop)},
+                               {"odometry_edges", edges_of_kind(map.graph, EdgeKind::kOdometry)},
+                               {"proximity_edges", edges_of_kind(map.graph, EdgeKind::kProximity)},
+                               {"loop_edges", edges_of_kind(map.graph, EdgeKind::kLoop)},
                                {"points", map.points.size()},
                                {"bytes", bytes},
                                {"notes", notes}};
@@ -178,10 +172,11 @@ int run_map_info(const InfoArguments& arguments) {
   fmt::print("kind       map of cvo_slam, to go on from it (run --load-map)\n");
   print_camera(memory.camera);
   fmt::print("keyframes  {}, {} of them with features; in {} submap{}\n", memory.keyframes.size(),
-             words, components, components == 1 ? "" : "s that no edge joins");
+             with_features, components, components == 1 ? "" : "s that no edge joins");
   fmt::print("graph      {} odometry edges, {} proximity edges, {} loop edges\n",
-             count_edges(map.graph, EdgeKind::kOdometry),
-             count_edges(map.graph, EdgeKind::kProximity), count_edges(map.graph, EdgeKind::kLoop));
+             edges_of_kind(map.graph, EdgeKind::kOdometry),
+             edges_of_kind(map.graph, EdgeKind::kProximity),
+             edges_of_kind(map.graph, EdgeKind::kLoop));
   fmt::print("points     {}\nsize       {:.1f} MB\n", map.points.size(),
              1e-6 * static_cast<double>(bytes));
   for (const auto& note : notes) fmt::print("note       {}\n", note);

@@ -250,6 +250,12 @@ cv::Mat depth_image_from(const py::array& array) {
   return shared_image(whole, CV_16UC1, whole.data()).clone();
 }
 
+void warn(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+  }
+}
+
 py::object view_of(const cv::Mat& image) {
   if (image.empty()) return py::none();
   const auto row = static_cast<py::ssize_t>(image.step[0]);

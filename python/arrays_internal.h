@@ -64,6 +64,9 @@ using Doubles = pybind11::array_t<double, pybind11::array::c_style | pybind11::a
 /// are contiguous.
 [[nodiscard]] cv::Mat depth_image_from(const pybind11::array& array);
 
+/// Gives notes to the caller as UserWarnings.
+void warn(const std::vector<std::string>& notes);
+
 /// Returns a view of an image that can only be read; it keeps the image alive. Colours have red
 /// first. None for an image without pixels.
 [[nodiscard]] pybind11::object view_of(const cv::Mat& image);

@@ -11,21 +11,19 @@
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/python/arrays_internal.h"
 #include "cvo_slam/python/bindings_internal.h"
+#include "cvo_slam/python/next_frame_internal.h"
 
 namespace py = pybind11;
 
 namespace cvo_slam::python {
 namespace {
 
+/// The frame outlives the call, and the caller may write to the arrays: their pixels are copied.
 RgbdFrame make_frame(const py::array& rgb, const py::array& depth, double stamp,
                      const std::optional<double>& depth_stamp, std::size_t index) {
-  RgbdFrame frame;
-  frame.index = index;
-  frame.stamp = stamp_from(stamp, "stamp");
-  frame.depth_stamp = depth_stamp ? stamp_from(*depth_stamp, "depth_stamp") : frame.stamp;
-  // The frame outlives the call, and the caller may write to the arrays.
-  frame.color = color_image_from(rgb).clone();
-  frame.depth = depth_image_from(depth).clone();
+  RgbdFrame frame = frame_of_arrays(index, rgb, depth, stamp, depth_stamp);
+  frame.color = frame.color.clone();
+  frame.depth = frame.depth.clone();
   return frame;
 }
 

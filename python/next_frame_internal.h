@@ -10,8 +10,21 @@
 
 namespace cvo_slam::python {
 
-/// Makes frames of arrays, numbered from 0, without copying what need not be copied: they are valid
-/// as long as the arrays.
+/// Returns the frame that was given as arrays, without copying what need not be copied: it is valid
+/// as long as they are.
+[[nodiscard]] inline RgbdFrame frame_of_arrays(std::size_t index, const pybind11::array& rgb,
+                                               const pybind11::array& depth, double stamp,
+                                               const std::optional<double>& depth_stamp) {
+  RgbdFrame frame;
+  frame.index = index;
+  frame.stamp = stamp_from(stamp, "stamp");
+  frame.depth_stamp = depth_stamp ? stamp_from(*depth_stamp, "depth_stamp") : frame.stamp;
+  frame.color = color_image_from(rgb);
+  frame.depth = depth_image_from(depth);
+  return frame;
+}
+
+/// Numbers frames that are given as arrays, from 0.
 class NextFrame {
  public:
   /// The next frame follows this one.
@@ -19,13 +32,7 @@ class NextFrame {
 
   [[nodiscard]] RgbdFrame frame(const pybind11::array& rgb, const pybind11::array& depth,
                                 double stamp, const std::optional<double>& depth_stamp) const {
-    RgbdFrame frame;
-    frame.index = index_;
-    frame.stamp = stamp_from(stamp, "stamp");
-    frame.depth_stamp = depth_stamp ? stamp_from(*depth_stamp, "depth_stamp") : frame.stamp;
-    frame.color = color_image_from(rgb);
-    frame.depth = depth_image_from(depth);
-    return frame;
+    return frame_of_arrays(index_, rgb, depth, stamp, depth_stamp);
   }
 
  private:

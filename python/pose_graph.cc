@@ -115,11 +115,7 @@ void bind_pose_graph(py::module_& module) {
           [](const std::filesystem::path& file) {
             std::vector<std::string> notes;
             PoseGraph graph = read_g2o(file, notes);
-            for (const std::string& note : notes) {
-              if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) {
-                throw py::error_already_set();
-              }
-            }
+            warn(notes);
             return graph;
           },
           py::arg("file"), "Reads a g2o file; entries that are skipped are a UserWarning.")

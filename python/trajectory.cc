@@ -78,9 +78,7 @@ std::string describe_error(const char* name, const Error& error) {
 
 Trajectory read_trajectory(const std::filesystem::path& file) {
   ForeignTrajectory read = read_foreign_tum(file);
-  for (const std::string& note : read.notes) {
-    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
-  }
+  warn(read.notes);
   return {std::move(read.poses), {}};
 }
 
