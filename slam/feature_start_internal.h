@@ -31,7 +31,7 @@ class FeatureStart {
   LoopOptions options_;
   std::shared_ptr<const Vocabulary> vocabulary_;
   LoopVerifier verifier_;
-  // Of the last two images: a keyframe serves several frames, and a frame becomes a keyframe.
+  // The last two images: a keyframe serves several frames, and a frame becomes a keyframe.
   std::shared_ptr<const Appearance> newer_;
   std::shared_ptr<const Appearance> older_;
 };

@@ -38,7 +38,7 @@ Map map_with(char content) {
   memory.vocabulary = 0x12345678;
   for (int i = 0; i < 3; ++i) {
     const SE3 pose(so3_exp({0, 0.1 * i, 0}), {1.0 / 3 * i, 0, 0});
-    // Of two sessions, so that stamps do not ascend.
+    // Two sessions: stamps do not ascend.
     const Timestamp stamp = Timestamp::from_seconds(10 - i);
     map.keyframes.push_back({stamp, pose});
     map.graph.add_node({10 * i, pose});
