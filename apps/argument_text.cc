@@ -3,14 +3,13 @@
 #include "cvo_slam/apps/argument_text.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstdio>
 #include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
 
 namespace cvo_slam {
 namespace {
@@ -18,22 +17,10 @@ namespace {
 /// One number of a range; `otherwise` if the text is empty, nothing if it is no number.
 std::optional<std::size_t> parse_index(std::string_view text, std::size_t otherwise) {
   if (text.empty()) return otherwise;
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return parse_integer<std::size_t>(text);
 }
 
 }  // namespace
-
-std::optional<double> parse_number(const std::string& text) {
-  double value = 0;
-  const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data() + (has_plus ? 1 : 0), end, value);
-  if (error != std::errc() || rest != end) return std::nullopt;
-  return value;
-}
 
 void apply_setting(const OptionSet& options, const std::string& setting,
                    const std::string& example) {
@@ -70,12 +57,12 @@ FrameRange parse_frames(const std::string& frames, std::size_t size) {
 }
 
 PixelSize parse_size(const std::string& text, const std::string& example) {
-  PixelSize size;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2) {
-    throw OptionError(fmt::format("--size {} must be <width>x<height>, e.g. {}", text, example));
-  }
-  return size;
+  const std::string_view both = text;
+  const std::size_t x = std::min(both.find('x'), both.size());
+  const auto width = parse_integer<int>(both.substr(0, x));
+  const auto height = parse_integer<int>(both.substr(std::min(x + 1, both.size())));
+  if (width && height) return {*width, *height};
+  throw OptionError(fmt::format("--size {} must be <width>x<height>, e.g. {}", text, example));
 }
 
 }  // namespace cvo_slam

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
 #include "cvo_slam/core/options.h"
@@ -26,10 +25,6 @@ struct PixelSize {
   int width = 0;
   int height = 0;
 };
-
-/// Returns the number that a text spells from its first character, which may be a plus, to its
-/// last; empty if it spells none.
-[[nodiscard]] std::optional<double> parse_number(const std::string& text);
 
 /// Sets the option that an argument "key=value" of --set names. Throws OptionError if the argument
 /// is malformed, with `example` as a correct one, or if the set refuses it.

@@ -13,6 +13,7 @@
 #include "cvo_slam/apps/evaluation_report.h"
 #include "cvo_slam/apps/report_json.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/io/trajectory_files.h"
 
 namespace cvo_slam {
@@ -62,7 +63,7 @@ constexpr const char* kAuto = "auto";
 /// Returns the offset that the command line gives; 0 for auto.
 double given_time_offset(const EvalArguments& arguments) {
   if (arguments.time_offset == kAuto) return 0;
-  const auto seconds = parse_number(arguments.time_offset);
+  const auto seconds = parse_finite(arguments.time_offset);
   if (seconds) return *seconds;
   throw OptionError(
       fmt::format("--time-offset '{}': expected seconds or auto", arguments.time_offset));

@@ -114,6 +114,27 @@ void add_warnings(EvaluationReport& report, std::size_t possible) {
       possible - report.matches, possible));
 }
 
+/// Adds a warning if the estimate is of another size than the reference, as it is if depth is read
+/// with a wrong scale.
+void add_scale_warning(EvaluationReport& report, const std::vector<MatchedPose>& matches) {
+  constexpr double kUnusual = 0.15;
+  constexpr double kBetter = 0.5;  // a trajectory that drifts gains less by another size
+  if (!report.ate || report.options.alignment != Alignment::kSe3) return;
+  try {
+    const AbsoluteTrajectoryError scaled = absolute_trajectory_error(matches, Alignment::kSim3);
+    const double scale = scaled.alignment.scale;
+    if (std::fabs(std::log(scale)) < std::log1p(kUnusual) ||
+        scaled.statistics.translation.rmse > kBetter * report.ate->statistics.translation.rmse) {
+      return;
+    }
+    report.warnings.push_back(fmt::format(
+        "the reference is {:.2f} times as large as the estimate; is the depth_scale of the camera "
+        "right?",
+        scale));
+  } catch (const DataError&) {  // no scale: positions on a line, or all the same
+  }
+}
+
 std::string left_out_lines(const EvaluationReport& report) {
   std::string text;
   const auto add = [&](std::size_t count, const char* file, const char* why) {
@@ -167,6 +188,7 @@ EvaluationReport evaluate(const std::vector<StampedPose>& reference,
   add_warnings(report, by_reference ? reference.size() : estimate.size());
 
   add_ate(report, matches);
+  add_scale_warning(report, matches);
   if (report.ate && report.ate->alignment.scale != 1) {
     scale_estimate(matches, report.ate->alignment.scale);
   }

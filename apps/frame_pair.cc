@@ -3,7 +3,6 @@
 #include "cvo_slam/apps/frame_pair.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -11,6 +10,7 @@
 
 #include "cvo_slam/core/association.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/dataset.h"
@@ -47,13 +47,12 @@ std::size_t find_frame(const Dataset& data, const std::string& word) {
   if (word.find('.') != std::string::npos) {
     if (const auto stamp = Timestamp::parse(word)) return frame_of_stamp(data, word, *stamp);
   }
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-  if (error != std::errc() || end != word.data() + word.size()) {
+  const auto index = parse_integer<std::size_t>(word);
+  if (!index) {
     throw OptionError(fmt::format("frame '{}' is neither a number nor a stamp; write e.g. 12 or {}",
                                   word, data.stamp(0).to_string()));
   }
-  if (index < data.size()) return index;
+  if (*index < data.size()) return *index;
   throw OptionError(
       fmt::format("there is no frame {}; the sequence has frames 0 to {}", word, data.size() - 1));
 }

@@ -113,34 +113,6 @@ OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
       control);
 }
 
-namespace {
-
-/// Returns a warning if the estimate is of another size than the reference, as it is if depth is
-/// read with a wrong scale.
-std::optional<std::string> scale_warning(const EvaluationReport& report, const Dataset& data,
-                                         const Trajectory& trajectory) {
-  constexpr double kUnusual = 0.15;
-  constexpr double kBetter = 0.5;  // a trajectory that drifts gains less by another size
-  if (!report.ate || report.options.alignment != Alignment::kSe3) return std::nullopt;
-  try {
-    const auto matches = associate(data.reference(), trajectory.poses, report.options.association);
-    const AbsoluteTrajectoryError scaled = absolute_trajectory_error(matches, Alignment::kSim3);
-    const double scale = scaled.alignment.scale;
-    if (std::fabs(std::log(scale)) < std::log1p(kUnusual) ||
-        scaled.statistics.translation.rmse > kBetter * report.ate->statistics.translation.rmse) {
-      return std::nullopt;
-    }
-    return fmt::format(
-        "warning: the ground truth is {:.2f} times as large as the estimate; is the "
-        "camera's depth_scale {} right?",
-        scale, data.camera().depth_scale);
-  } catch (const DataError&) {  // no scale: positions on a line, or all the same
-    return std::nullopt;
-  }
-}
-
-}  // namespace
-
 std::optional<std::string> agreement_warning(const Dataset& data, const Trajectory& trajectory) {
   const bool has_reference = data.reference().size() > 1;
   const auto agreement =
@@ -159,9 +131,7 @@ std::optional<EvaluationReport> evaluate_run(const Dataset& data, const Trajecto
     return std::nullopt;
   }
   try {
-    EvaluationReport report = evaluate(data.reference(), trajectory.poses);
-    if (const auto warning = scale_warning(report, data, trajectory)) notes.push_back(*warning);
-    return report;
+    return evaluate(data.reference(), trajectory.poses);
   } catch (const DataError& error) {
     notes.push_back(fmt::format("no errors: {}", error.what()));
     return std::nullopt;

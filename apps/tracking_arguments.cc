@@ -8,6 +8,7 @@
 
 #include "cvo_slam/apps/argument_text.h"
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/frontend/simd.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/options_file.h"
@@ -67,7 +68,7 @@ std::optional<double> DatasetArguments::given_depth_offset() const {
   if (depth_offset == kAutomaticDepthOffset || depth_offset == kMeasuredDepthOffset) {
     return std::nullopt;
   }
-  const auto seconds = parse_number(depth_offset);
+  const auto seconds = parse_finite(depth_offset);
   if (seconds) return seconds;
   throw OptionError(fmt::format("--depth-offset '{}': expected seconds, {} or {}", depth_offset,
                                 kAutomaticDepthOffset, kMeasuredDepthOffset));

@@ -3,7 +3,6 @@
 #include "cvo_slam/apps/training_images.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/synthetic/sensor.h"
 #include "cvo_slam/synthetic/sequence.h"
@@ -27,15 +27,12 @@ std::size_t thinned(std::size_t count, std::size_t step) { return (count + step 
 
 /// Parses "<world>:<seed>".
 std::pair<std::string, std::uint32_t> parse_world(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  std::uint32_t seed = 0;
-  const char* begin = text.data() + std::min(text.size(), colon + 1);
-  const char* end = text.data() + text.size();
-  if (colon == std::string::npos || std::from_chars(begin, end, seed).ptr != end || begin == end) {
-    throw OptionError(fmt::format(
-        "vocab train: {}{} must be synth:<world>:<seed>, e.g. synth:office:900", kSynthetic, text));
-  }
-  return {text.substr(0, colon), seed};
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const auto seed =
+      parse_integer<std::uint32_t>(std::string_view(text).substr(std::min(colon + 1, text.size())));
+  if (seed) return {text.substr(0, colon), *seed};
+  throw OptionError(fmt::format(
+      "vocab train: {}{} must be synth:<world>:<seed>, e.g. synth:office:900", kSynthetic, text));
 }
 
 TrainingImages synthetic_images(const std::string& text, double rate) {

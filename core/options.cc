@@ -3,15 +3,16 @@
 #include "cvo_slam/core/options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
 
 namespace cvo_slam {
 namespace {
@@ -29,12 +30,12 @@ std::string_view trim(std::string_view text) {
 }
 
 template <typename T>
-std::optional<T> parse_number(std::string_view text) {
-  T value{};
-  const std::string_view trimmed = trim(text);
-  const auto [end, error] = std::from_chars(trimmed.data(), trimmed.data() + trimmed.size(), value);
-  if (error != std::errc() || end != trimmed.data() + trimmed.size()) return std::nullopt;
-  return value;
+std::optional<T> parse_value(std::string_view text) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return parse_number(trim(text));
+  } else {
+    return parse_integer<T>(trim(text));
+  }
 }
 
 template <typename T>
@@ -53,7 +54,7 @@ std::string describe_range(const Range<T>& range) {
 
 template <typename T>
 T parse_in_range(const std::string& key, std::string_view text, const Range<T>& range) {
-  const auto value = parse_number<T>(text);
+  const auto value = parse_value<T>(text);
   // Written so that NaN fails.
   if (!value || !(*value >= range.min && *value <= range.max))
     fail(key, text, describe_range(range));

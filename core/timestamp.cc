@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/core/numbers.h"
+
 namespace cvo_slam {
 namespace {
 
@@ -61,10 +63,9 @@ std::optional<Timestamp> Timestamp::parse(std::string_view text) {
       point == std::string_view::npos ? std::string_view() : text.substr(point + 1);
   if (whole.empty() || !is_digits(whole) || !is_digits(fraction)) return std::nullopt;
 
-  std::int64_t seconds = 0;
-  const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), seconds);
-  if (error != std::errc() || seconds > kMaxSeconds) return std::nullopt;
-  const std::int64_t magnitude = seconds * kNanosecondsPerSecond + parse_fraction(fraction);
+  const auto seconds = parse_integer<std::int64_t>(whole);
+  if (!seconds || *seconds > kMaxSeconds) return std::nullopt;
+  const std::int64_t magnitude = *seconds * kNanosecondsPerSecond + parse_fraction(fraction);
   const int decimals = static_cast<int>(std::min<std::size_t>(fraction.size(), kMaxDecimals));
   return Timestamp(negative ? -magnitude : magnitude, decimals);
 }

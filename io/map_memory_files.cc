@@ -19,6 +19,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/map_memory_files_internal.h"
 #include "cvo_slam/io/text_internal.h"

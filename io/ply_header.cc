@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/io/ply_header_internal.h"
 #include "cvo_slam/io/text_internal.h"
 

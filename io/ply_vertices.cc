@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/io/ply_vertices_internal.h"
 #include "cvo_slam/io/text_internal.h"
 

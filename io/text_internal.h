@@ -1,17 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Text files of one record per line: words, numbers, stamps.
+// Text files of one record per line: words, columns, stamps.
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,13 +16,6 @@
 #include "cvo_slam/core/timestamp.h"
 
 namespace cvo_slam {
-
-/// Returns the number that the whole of `text` spells: "-1.5", "+0.5", "nan". A number that is too
-/// small for a double is 0, one that is too large is infinite. Empty if it spells none.
-std::optional<double> parse_number(std::string_view text);
-
-/// Returns the number that the whole of `text` spells; empty if it spells none or it is not finite.
-std::optional<double> parse_finite(std::string_view text);
 
 /// Returns true for a number with a comma in place of its point, as "0,5".
 bool has_decimal_comma(std::string_view text);
@@ -36,15 +26,6 @@ std::string number_problem(std::string_view word);
 /// Returns a word of a file between quotes for an error line: shortened, and with '?' for what is
 /// not printable. Any file can be given by mistake.
 std::string in_quotes(std::string_view word);
-
-/// Returns the integer that the whole of `text` spells; empty if it spells none of this type.
-template <typename Integer>
-std::optional<Integer> parse_integer(std::string_view text) {
-  Integer value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// Returns the words of a line: what blanks, tabs and a carriage return separate.
 std::vector<std::string> split_words(const std::string& line);

@@ -11,6 +11,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {

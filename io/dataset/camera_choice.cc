@@ -10,6 +10,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/core/numbers.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/dataset/camera_choice_internal.h"
 #include "cvo_slam/io/image_files_internal.h"

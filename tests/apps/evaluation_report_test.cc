@@ -98,6 +98,14 @@ TEST(EvaluationReport, SimilarityScalesTheRelativeErrorToo) {
   EXPECT_LT(report.relative[0].error->statistics.translation.max, 1e-12);
 }
 
+TEST(EvaluationReport, WarnsIfTheEstimateIsOfAnotherSize) {
+  const auto truth = helix(40);
+  const auto report = evaluate(truth, transformed({SE3(), 5.0}, truth));
+  ASSERT_EQ(report.warnings.size(), 1U);
+  EXPECT_THAT(report.warnings[0], HasSubstr("the reference is 0.20 times as large"));
+  EXPECT_TRUE(evaluate(truth, transformed({SE3(), 1.1}, truth)).warnings.empty());
+}
+
 TEST(EvaluationReport, LeavesOutWhatDoesNotExistAndSaysWhy) {
   // Half a second on a straight line has no unique alignment and no pair that is a second apart.
   const auto report = evaluate(line(5), line(5));

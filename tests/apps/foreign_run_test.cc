@@ -72,7 +72,7 @@ TEST_F(ForeignRun, NamesTheCameraAndWarnsOfAWrongDepthScale) {
   write_camera(file_of_camera, camera);
   const auto result = run({"--camera", file_of_camera});
   EXPECT_THAT(result.output, HasSubstr("camera       synthetic: given by the caller\n"));
-  EXPECT_THAT(result.output, HasSubstr("times as large as the estimate; is the camera"));
+  EXPECT_THAT(result.output, HasSubstr("times as large as the estimate; is the depth_scale"));
   EXPECT_EQ(nlohmann::json::parse(file("report.json"))["camera_origin"], "given by the caller");
   EXPECT_THAT(file("report.html"), HasSubstr("(given by the caller)"));
 }
