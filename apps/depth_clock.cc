@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cvo_slam/apps/sequence_run.h"
+#include "cvo_slam/core/error.h"
 
 namespace cvo_slam {
 namespace {
@@ -72,6 +73,24 @@ TimedSequence open_timed(const DatasetArguments& arguments, const TrackerOptions
   clock.origin = clock.measurement->reason;
   clock.seconds = clock.measurement->seconds;
   if (clock.measurement->is_measured) result.data = arguments.open(clock.seconds);
+  return result;
+}
+
+FollowedSequence open_followed(const DatasetArguments& arguments, const FollowOptions& options) {
+  if (arguments.depth_offset == kMeasuredDepthOffset) {
+    throw OptionError(
+        "--depth-offset measure needs a whole recording, and --follow reads one that is still "
+        "being "
+        "written; give the offset in seconds");
+  }
+  const DatasetOptions dataset_options = arguments.dataset_options();
+  FollowedSequence result{
+      std::make_shared<FollowedDataset>(arguments.dataset, dataset_options, options), {}};
+  const auto& offset = result.data->camera().depth_offset;
+  result.clock.seconds = offset.value_or(0);
+  result.clock.origin = arguments.given_depth_offset() ? "given by --depth-offset"
+                        : offset                       ? "of the camera"
+                                                       : "not measured";
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "cvo_slam/apps/tracking_arguments.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/io/dataset.h"
+#include "cvo_slam/io/followed_dataset.h"
 #include "cvo_slam/slam/depth_offset.h"
 
 namespace cvo_slam {
@@ -38,5 +39,17 @@ struct TimedSequence {
 /// Opens a sequence in the same way, but measures nothing: where the offset would be measured, it
 /// is 0.
 [[nodiscard]] TimedSequence open_untimed(const DatasetArguments& arguments);
+
+/// A recording that is still being written, with its images paired by its depth offset.
+struct FollowedSequence {
+  std::shared_ptr<FollowedDataset> data;
+  DepthClock clock;
+};
+
+/// Waits for the first frames of a recording and opens it with the depth offset that --depth-offset
+/// gives, else with that of the camera; it cannot be measured yet. Throws OptionError if it was to
+/// be measured.
+[[nodiscard]] FollowedSequence open_followed(const DatasetArguments& arguments,
+                                             const FollowOptions& options);
 
 }  // namespace cvo_slam

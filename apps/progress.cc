@@ -37,24 +37,33 @@ void Progress::update(std::size_t done, const std::string& state) {
 std::string Progress::summary(std::size_t done, const std::string& state) const {
   const std::chrono::duration<double> elapsed = Clock::now() - start_;
   const double fps = static_cast<double>(done) / elapsed.count();
-  return fmt::format("{}/{}  {:.1f} fps, ETA {:.0f} s{}{}", done, total_, fps,
-                     static_cast<double>(total_ - done) / fps, state.empty() ? "" : "  ", state);
+  const std::string after = state.empty() ? "" : "  " + state;
+  if (total_ == 0) return fmt::format("{}  {:.1f} fps{}", done, fps, after);
+  return fmt::format("{}/{}  {:.1f} fps, ETA {:.0f} s{}", done, total_, fps,
+                     static_cast<double>(total_ - done) / fps, after);
 }
 
 void Progress::draw_bar(std::size_t done, const std::string& state) {
   constexpr std::size_t kWidth = 30;
   constexpr std::chrono::milliseconds kInterval(100);  // redrawing at each frame would cost time
   const auto now = Clock::now();
-  if (done < total_ && now - last_drawn_ < kInterval) return;
+  const bool is_last = done == total_;
+  if (!is_last && now - last_drawn_ < kInterval) return;
   last_drawn_ = now;
+  if (total_ == 0) {
+    write_to_stderr(fmt::format("\r\x1b[K{}", summary(done, state)));
+    within_line_ = true;
+    return;
+  }
   const std::size_t filled = kWidth * done / total_;
   write_to_stderr(fmt::format("\r\x1b[K[{:#<{}}{:.<{}}] {}{}", "", filled, "", kWidth - filled,
-                              summary(done, state), done == total_ ? "\n" : ""));
-  within_line_ = done < total_;
+                              summary(done, state), is_last ? "\n" : ""));
+  within_line_ = !is_last;
 }
 
 void Progress::print_line(std::size_t done, const std::string& state) {
-  const std::size_t tenths = 10 * done / total_;
+  constexpr std::size_t kFramesOfALine = 100;  // of a number that is not known
+  const std::size_t tenths = total_ == 0 ? done / kFramesOfALine : 10 * done / total_;
   if (tenths == tenths_) return;
   tenths_ = tenths;
   write_to_stderr(fmt::format("frame {}\n", summary(done, state)));

@@ -9,10 +9,12 @@
 namespace cvo_slam {
 
 /// Shows the progress of a run on stderr: a bar with fps and ETA on a terminal, otherwise a plain
-/// line after every tenth of the frames. It never fails: a stderr that cannot be written is no
-/// reason to end a run.
+/// line after every tenth of the frames. Where the number of frames is not known, it counts them,
+/// on a line for every hundred. It never fails: a stderr that cannot be written is no reason to end
+/// a run.
 class Progress {
  public:
+  /// `total` is the number of frames; 0 if it is not known.
   Progress(std::size_t total, bool quiet);
   /// Ends the line of a bar that did not reach its end.
   ~Progress();

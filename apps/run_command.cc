@@ -43,6 +43,8 @@ struct RunArguments {
   bool dump_config = false;
   bool no_map = false;
   bool overwrite = false;
+  bool follow = false;
+  double end_after = 10;
   std::filesystem::path load_map;  // empty = none
   bool localize = false;
   bool save_map = false;
@@ -149,6 +151,43 @@ void add_surface(RunReport& report, const std::optional<LoadedMap>& loaded) {
   points.insert(points.end(), seen.begin(), seen.end());
 }
 
+/// What a run reads.
+struct RunInput {
+  std::shared_ptr<const Dataset> data;  // null if the user interrupted before the first frame
+  std::shared_ptr<FrameSource> frames;
+  DepthClock clock;
+  FrameRange range;  // empty if it is not known before the end
+};
+
+RunInput open_followed_input(const RunArguments& arguments) {
+  if (!arguments.tracking.frames.empty()) {
+    throw OptionError("--frames needs the number of frames, which --follow does not know");
+  }
+  if (!arguments.quiet) {
+    fmt::print(stderr, "waiting for frames in {}\n", arguments.tracking.sequence.dataset.string());
+  }
+  try {
+    const auto followed = open_followed(arguments.tracking.sequence,
+                                        {arguments.end_after, &InterruptGuard::requested});
+    return {followed.data, followed.data, followed.clock, {}};
+  } catch (const InputError&) {
+    if (!InterruptGuard::requested()) throw;
+    return {};
+  }
+}
+
+RunInput open_input(const RunArguments& arguments, const TrackerOptions& options) {
+  if (arguments.follow) return open_followed_input(arguments);
+  TimedSequence timed = open_timed(arguments.tracking.sequence, options);
+  RunInput input{std::move(timed.data), nullptr, std::move(timed.clock), {}};
+  input.range = arguments.tracking.range(input.data->size());
+  input.frames = std::make_shared<FramePrefetcher>(*input.data, input.range.begin, input.range.end,
+                                                   input.range.step);
+  return input;
+}
+
+int exit_code_of(int signal) { return signal == SIGTERM ? kTerminated : kInterrupted; }
+
 int run(const RunArguments& arguments) {
   check_map_arguments(arguments);
   ProgramOptions options = arguments.tracking.options();
@@ -159,31 +198,34 @@ int run(const RunArguments& arguments) {
   }
   const InterruptGuard interrupt;
   const auto vocabulary = vocabulary_of(arguments);
-  const TimedSequence timed = open_timed(arguments.tracking.sequence, options.slam.tracker);
-  const auto& data = timed.data;
-  std::vector<std::string> notes = data->notes();
+  const RunInput input = open_input(arguments, options.slam.tracker);
+  const auto& data = input.data;
+  if (!data) return exit_code_of(InterruptGuard::signal());
+  std::vector<std::string> notes;
   const auto loaded = loaded_map(arguments, data->camera(), notes);
-  const FrameRange range = arguments.tracking.range(data->size());
   const auto folder = arguments.out.empty() ? default_folder(data->name()) : arguments.out;
   prepare_folder(folder, arguments.overwrite);
   write_tum(folder / "trajectory.txt", {});  // proves that it can, before hours of work
 
   RunReport report{
-      *data,        timed.clock, range, options,      arguments.mode,   {},
-      std::nullopt, {},          {},    std::nullopt, std::move(notes), arguments.loop_pictures};
+      *data, input.clock, input.range,  options,          arguments.mode,         {}, std::nullopt,
+      {},    {},          std::nullopt, std::move(notes), arguments.loop_pictures};
+  const FrameStream stream{*input.frames, data->camera(), input.range.size()};
   const RunControl control{arguments.quiet, arguments.no_map ? 0 : options.map.pixel_step,
                            arguments.save_map};
   if (loaded) report.map_use = loaded->use;
   if (arguments.mode != "odometry") {
-    SlamRun slam = run_slam(*data, range, options, vocabulary, control, loaded);
+    SlamRun slam = run_slam(stream, options, vocabulary, control, loaded);
     report.saved_map = std::move(slam.map);
     report.run = std::move(slam.run);
     report.trajectory = std::move(slam.trajectory);
     report.graph = std::move(slam.graph);
   } else {
-    report.run = run_odometry(*data, range, options.slam.tracker, control);
+    report.run = run_odometry(stream, options.slam.tracker, control);
     report.trajectory = to_trajectory(report.run.records);
   }
+  if (arguments.follow) report.range.end = data->size();
+  report.notes.insert(report.notes.begin(), data->notes().begin(), data->notes().end());
   report.map = make_run_map(report.run, report.graph, report.trajectory, data->camera(),
                             options.map, options.slam.tracker.threads);
   if (report.saved_map) add_surface(report, loaded);
@@ -192,7 +234,7 @@ int run(const RunArguments& arguments) {
     report.notes.push_back(*warning);
   }
   deliver(arguments, report, folder);
-  if (report.run.signal != 0) return report.run.signal == SIGTERM ? kTerminated : kInterrupted;
+  if (report.run.signal != 0) return exit_code_of(report.run.signal);
   if (report.run.unusable) {
     throw InputError(data->name(),
                      fmt::format("none of the first {} frames can be used: {}",
@@ -226,6 +268,13 @@ void add_run_command(CLI::App& app, Action& action) {
       .show_default();
   command.add("--dump-config", &arguments->dump_config,
               "Print the effective options as YAML with their documentation, and stop");
+  command.add("--follow", &arguments->follow,
+              "The folder is still being written: take frames as they appear, until nothing has "
+              "changed for --end-after or the run is interrupted");
+  command
+      .add("--end-after", &arguments->end_after,
+           "Time without a change after which a recording with --follow has ended [s]")
+      .show_default();
   command.add("--no-map", &arguments->no_map,
               "Write neither map.ply nor map.png: saves their memory and time");
   command.add("--save-map", &arguments->save_map,

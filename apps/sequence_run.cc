@@ -38,20 +38,20 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts kibibytes
 }
 
-/// Gives the frames of a range to `track`, and calls `finish` after the last one.
-OdometryRun run_frames(const Dataset& data, const FrameRange& range,
+/// Gives frames to `track`, and calls `finish` after the last one.
+OdometryRun run_frames(const FrameStream& stream,
                        const std::function<FrameRecord(const RgbdFrame&)>& track,
                        const std::function<void()>& finish, const RunControl& control) {
-  Progress progress(range.size(), control.quiet);
+  Progress progress(stream.count, control.quiet);
   OdometryRun run;
   const auto start = Clock::now();
   const double cpu_start = process_cpu_seconds();
-  FramePrefetcher frames(data, range.begin, range.end, range.step);
   constexpr std::size_t kFirstFrames = 10;  // of which one at least has images, or none ever has
   std::size_t problems = 0;
-  while (!InterruptGuard::requested() && !run.unusable) {
+  while (!InterruptGuard::requested() &&
+         !(problems == kFirstFrames && problems == run.records.size())) {
     const auto wait_start = Clock::now();
-    const std::optional<RgbdFrame> next = frames.next();
+    const std::optional<RgbdFrame> next = stream.frames.next();
     if (!next) break;
     const RgbdFrame& frame = *next;
     problems += frame.problem.empty() ? 0 : 1;
@@ -65,10 +65,9 @@ OdometryRun run_frames(const Dataset& data, const FrameRange& range,
     }
     progress.update(run.records.size(),
                     run.records.back().status == TrackingStatus::kTracked ? "tracked" : "lost");
-    run.unusable =
-        problems == run.records.size() && problems == std::min(kFirstFrames, range.size());
   }
   finish();
+  run.unusable = problems > 0 && problems == run.records.size();
   run.seconds = milliseconds_since(start) / 1e3;
   run.cpu_seconds = process_cpu_seconds() - cpu_start;
   run.signal = InterruptGuard::signal();
@@ -105,12 +104,11 @@ double OdometryRun::fps() const {
   return seconds > 0 ? static_cast<double>(records.size()) / seconds : 0;
 }
 
-OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
-                         const TrackerOptions& options, const RunControl& control) {
-  Tracker tracker(data.camera(), options);
+OdometryRun run_odometry(const FrameStream& stream, const TrackerOptions& options,
+                         const RunControl& control) {
+  Tracker tracker(stream.camera, options);
   return run_frames(
-      data, range, [&](const RgbdFrame& frame) { return tracker.track(frame).record; }, [] {},
-      control);
+      stream, [&](const RgbdFrame& frame) { return tracker.track(frame).record; }, [] {}, control);
 }
 
 std::optional<std::string> agreement_warning(const Dataset& data, const Trajectory& trajectory) {
@@ -146,15 +144,15 @@ std::size_t LoadedMap::first_number() const {
   return number;
 }
 
-SlamRun run_slam(const Dataset& data, const FrameRange& range, const ProgramOptions& options,
+SlamRun run_slam(const FrameStream& stream, const ProgramOptions& options,
                  const std::shared_ptr<const Vocabulary>& vocabulary, const RunControl& control,
                  const std::optional<LoadedMap>& loaded) {
   Slam slam = loaded ? Slam(loaded->map, options.slam, loaded->use, vocabulary)
-                     : Slam(data.camera(), options.slam, vocabulary);
+                     : Slam(stream.camera, options.slam, vocabulary);
   SlamRun result;
   result.run = run_frames(
-      data, range, [&](const RgbdFrame& frame) { return slam.track(frame); },
-      [&] { slam.finish(); }, control);
+      stream, [&](const RgbdFrame& frame) { return slam.track(frame); }, [&] { slam.finish(); },
+      control);
   result.trajectory = slam.trajectory(TrajectoryView::kFinal);
   result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(), slam.statistics(),
                   loaded ? loaded->first_number() : 0};

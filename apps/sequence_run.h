@@ -101,16 +101,22 @@ struct SlamRun {
   std::optional<Map> map;  ///< if it was asked for
 };
 
-/// Runs the frames of a range through the tracker alone. Ends early, with what there is, if the
-/// user interrupts (SIGINT, SIGTERM) while an InterruptGuard lives, and if none of the first ten
-/// frames has images that can be used.
-[[nodiscard]] OdometryRun run_odometry(const Dataset& data, const FrameRange& range,
-                                       const TrackerOptions& options, const RunControl& control);
+/// The frames of a sequence, one after the other.
+struct FrameStream {
+  FrameSource& frames;
+  const Camera& camera;
+  std::size_t count = 0;  ///< number of frames; 0 if it is not known
+};
 
-/// Runs the frames of a range through Slam, and ends early in the same way. A null vocabulary means
-/// the built-in one; with `loaded`, the run goes on from that map.
-[[nodiscard]] SlamRun run_slam(const Dataset& data, const FrameRange& range,
-                               const ProgramOptions& options,
+/// Runs frames through the tracker alone. Ends early, with what there is, if the user interrupts
+/// (SIGINT, SIGTERM) while an InterruptGuard lives, and if none of the first ten frames has images
+/// that can be used.
+[[nodiscard]] OdometryRun run_odometry(const FrameStream& stream, const TrackerOptions& options,
+                                       const RunControl& control);
+
+/// Runs frames through Slam, and ends early in the same way. A null vocabulary means the built-in
+/// one; with `loaded`, the run goes on from that map.
+[[nodiscard]] SlamRun run_slam(const FrameStream& stream, const ProgramOptions& options,
                                const std::shared_ptr<const Vocabulary>& vocabulary,
                                const RunControl& control,
                                const std::optional<LoadedMap>& loaded = std::nullopt);

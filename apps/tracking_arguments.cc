@@ -74,12 +74,17 @@ std::optional<double> DatasetArguments::given_depth_offset() const {
                                 kAutomaticDepthOffset, kMeasuredDepthOffset));
 }
 
-std::unique_ptr<Dataset> DatasetArguments::open(const std::optional<double>& offset) const {
+DatasetOptions DatasetArguments::dataset_options(const std::optional<double>& offset) const {
   if (dataset.empty()) throw OptionError("no dataset given: name the folder of a sequence");
   DatasetOptions chosen = options;
   if (!camera.empty()) chosen.camera = find_camera(camera);
   if (!associations.empty()) chosen.associations = associations;
   chosen.depth_offset = offset ? offset : given_depth_offset();
+  return chosen;
+}
+
+std::unique_ptr<Dataset> DatasetArguments::open(const std::optional<double>& offset) const {
+  const DatasetOptions chosen = dataset_options(offset);  // first: it may refuse
   return open_dataset(dataset, chosen);
 }
 

@@ -66,8 +66,11 @@ struct DatasetArguments {
   /// of the words.
   [[nodiscard]] std::optional<double> given_depth_offset() const;
 
-  /// Opens the sequence with a depth offset; empty = the one given, else that of the camera. Throws
-  /// InputError if that fails.
+  /// Returns the options to open the sequence with, and with a depth offset; empty = the one given,
+  /// else that of the camera. Throws OptionError if no sequence is given.
+  [[nodiscard]] DatasetOptions dataset_options(
+      const std::optional<double>& offset = std::nullopt) const;
+  /// Opens the sequence with these options. Throws InputError if that fails.
   [[nodiscard]] std::unique_ptr<Dataset> open(
       const std::optional<double>& offset = std::nullopt) const;
 };

@@ -68,6 +68,7 @@ struct DatasetFormat {
   Sequence (*open)(const std::filesystem::path& folder, const PairingOptions& options);
 };
 
+extern const DatasetFormat kImageFoldersFormat;
 extern const DatasetFormat kSevenScenesFormat;
 extern const DatasetFormat kTumFormat;
 

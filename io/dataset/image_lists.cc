@@ -48,14 +48,6 @@ struct ListedImage {
   Path file;  // as it stands in the list
 };
 
-bool has_image_extension(std::string_view name) {
-  constexpr std::array<std::string_view, 10> kExtensions = {
-      ".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".tif", ".tiff", ".bmp", ".webp", ".exr"};
-  const std::string lower = to_lower(std::string(name));
-  return std::any_of(kExtensions.begin(), kExtensions.end(),
-                     [&](std::string_view extension) { return lower.ends_with(extension); });
-}
-
 /// Reads stamps and names of images from the words of a line, as many as there are: a name goes on
 /// until a word with the extension of an image, for names with blanks; an image without a stamp of
 /// its own has that of the one before. `used` counts the words.
@@ -148,11 +140,6 @@ bool is_depth_first(const std::vector<ListedImage>& pair, const Path& folder, co
                    "not exactly one of them is a 16-bit image; name them rgb and depth");
 }
 
-struct StampedFile {
-  Timestamp stamp;
-  Path file;
-};
-
 /// Reads lines "stamp file" in ascending order of stamps; paths are relative to the list's folder.
 std::vector<StampedFile> read_image_list(const Path& list, std::vector<std::string>& notes) {
   std::vector<StampedFile> images;
@@ -210,27 +197,17 @@ bool has_two_lists(const Path& folder) {
 }
 
 Sequence open_two_lists(const Path& folder, const PairingOptions& options) {
-  Sequence sequence;
-  const auto colors = read_image_list(folder / "rgb.txt", sequence.notes);
-  const auto depths = read_image_list(folder / "depth.txt", sequence.notes);
-  std::vector<Timestamp> depth_stamps = image_stamps(depths);
-  for (Timestamp& stamp : depth_stamps) stamp = shifted(stamp, options.depth_offset);
-  const auto pair = options.depth_offset == 0 ? associate_stamps : nearest_stamps;
-  for (const auto& [i, j] :
-       pair(image_stamps(colors), depth_stamps, options.max_stamp_difference)) {
-    sequence.frames.push_back({colors[i].stamp, depths[j].stamp, colors[i].file, depths[j].file});
-  }
-  if (sequence.frames.empty()) {
-    throw InputError(
-        folder, fmt::format("no image of rgb.txt has one in depth.txt within {} s (rgb.txt "
-                            "begins at {}, depth.txt at {}); give --max-diff or --depth-offset",
-                            options.max_stamp_difference, colors.front().stamp.to_string(),
-                            depths.front().stamp.to_string()));
-  }
-  std::set<Path> used;
-  for (const FrameFiles& frame : sequence.frames) used.insert(frame.depth);
-  sequence.unpaired = {colors.size() - sequence.frames.size(), depths.size() - used.size()};
-  return sequence;
+  std::vector<std::string> notes;
+  const auto colors = read_image_list(folder / "rgb.txt", notes);
+  const auto depths = read_image_list(folder / "depth.txt", notes);
+  Sequence sequence = pair_images(colors, depths, options);
+  sequence.notes = std::move(notes);
+  if (!sequence.frames.empty()) return sequence;
+  throw InputError(folder,
+                   fmt::format("no image of rgb.txt has one in depth.txt within {} s (rgb.txt "
+                               "begins at {}, depth.txt at {}); give --max-diff or --depth-offset",
+                               options.max_stamp_difference, colors.front().stamp.to_string(),
+                               depths.front().stamp.to_string()));
 }
 
 /// Adds a note if images lie outside of the folder of the sequence: they are read all the same.
@@ -272,21 +249,6 @@ std::string recording_name(const Path& folder) {
   return {};
 }
 
-/// Adds the poses of the reference, if there is a file of them that can be read.
-void add_reference(const Path& folder, Sequence& sequence) {
-  const auto file = find_reference_file(folder);
-  if (!file) {
-    sequence.notes.emplace_back("no ground truth (groundtruth.txt): errors cannot be measured");
-    return;
-  }
-  try {
-    sequence.reference = read_tum_in_any_order(*file, sequence.notes);
-  } catch (const InputError& error) {
-    sequence.notes.push_back(fmt::format(
-        "warning: the ground truth cannot be read, errors cannot be measured: {}", error.what()));
-  }
-}
-
 }  // namespace
 
 std::vector<std::pair<std::size_t, std::size_t>> associate_stamps(const std::vector<Timestamp>& a,
@@ -304,6 +266,44 @@ std::vector<std::pair<std::size_t, std::size_t>> associate_stamps(const std::vec
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+bool has_image_extension(std::string_view name) {
+  constexpr std::array<std::string_view, 10> kExtensions = {
+      ".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".tif", ".tiff", ".bmp", ".webp", ".exr"};
+  const std::string lower = to_lower(std::string(name));
+  return std::any_of(kExtensions.begin(), kExtensions.end(),
+                     [&](std::string_view extension) { return lower.ends_with(extension); });
+}
+
+Sequence pair_images(const std::vector<StampedFile>& colors, const std::vector<StampedFile>& depths,
+                     const PairingOptions& options) {
+  Sequence sequence;
+  std::vector<Timestamp> depth_stamps = image_stamps(depths);
+  for (Timestamp& stamp : depth_stamps) stamp = shifted(stamp, options.depth_offset);
+  const auto pair = options.depth_offset == 0 ? associate_stamps : nearest_stamps;
+  std::set<Path> used;
+  for (const auto& [i, j] :
+       pair(image_stamps(colors), depth_stamps, options.max_stamp_difference)) {
+    sequence.frames.push_back({colors[i].stamp, depths[j].stamp, colors[i].file, depths[j].file});
+    used.insert(depths[j].file);
+  }
+  sequence.unpaired = {colors.size() - sequence.frames.size(), depths.size() - used.size()};
+  return sequence;
+}
+
+void add_reference(const Path& folder, Sequence& sequence) {
+  const auto file = find_reference_file(folder);
+  if (!file) {
+    sequence.notes.emplace_back("no ground truth (groundtruth.txt): errors cannot be measured");
+    return;
+  }
+  try {
+    sequence.reference = read_tum_in_any_order(*file, sequence.notes);
+  } catch (const InputError& error) {
+    sequence.notes.push_back(fmt::format(
+        "warning: the ground truth cannot be read, errors cannot be measured: {}", error.what()));
+  }
 }
 
 std::optional<Path> find_association_file(const Path& folder) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,24 @@ std::vector<std::pair<std::size_t, std::size_t>> associate_stamps(const std::vec
                                                                   const std::vector<Timestamp>& b,
                                                                   double max_difference);
 
+/// An image and when it was taken.
+struct StampedFile {
+  Timestamp stamp;
+  std::filesystem::path file;
+};
+
+/// Returns true if a name ends like that of an image.
+bool has_image_extension(std::string_view name);
+
+/// Returns the frames that colour and depth images make, both in ascending order of stamps; the
+/// depth offset was not added yet.
+Sequence pair_images(const std::vector<StampedFile>& colors, const std::vector<StampedFile>& depths,
+                     const PairingOptions& options);
+
+/// Adds the poses of groundtruth.txt or *.gt.freiburg; a note if there is none or it cannot be
+/// read.
+void add_reference(const std::filesystem::path& folder, Sequence& sequence);
+
 /// Returns associations.txt or what other programs call it; empty if the folder has none.
 std::optional<std::filesystem::path> find_association_file(const std::filesystem::path& folder);
 
@@ -39,8 +58,7 @@ std::vector<FrameFiles> read_association_list(const std::filesystem::path& list,
 bool has_frame_numbers(const std::vector<FrameFiles>& frames);
 
 /// Opens the sequence that the options' list of pairs names, else the one of the folder's own list,
-/// else the one of rgb.txt and depth.txt.
-/// The reference is groundtruth.txt or *.gt.freiburg. Throws InputError.
+/// else the one of rgb.txt and depth.txt. Throws InputError.
 Sequence open_image_lists(const std::filesystem::path& folder, const PairingOptions& options);
 
 /// Returns the camera of the TUM RGB-D benchmark that a sequence was recorded with, if a comment of

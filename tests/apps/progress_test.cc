@@ -74,5 +74,17 @@ TEST(Progress, EndsTheLineOfAFullBarOnce) {
   EXPECT_EQ(terminal.text(), "end");
 }
 
+TEST(Progress, CountsFramesWhoseNumberIsNotKnown) {
+  const TerminalStderr terminal;
+  {
+    Progress progress(0, false);
+    progress.update(1, "tracked");
+    const std::string bar = terminal.text();
+    EXPECT_THAT(bar, HasSubstr("1  "));
+    EXPECT_THAT(bar, EndsWith(" fps  tracked"));
+  }
+  EXPECT_EQ(terminal.text(), "\r\n");
+}
+
 }  // namespace
 }  // namespace cvo_slam

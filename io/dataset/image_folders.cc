@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A folder of colour and a folder of depth images without lists, as many recorders and exporters
+// write them. The last number in the name of a file says when it was taken.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/numbers.h"
+#include "cvo_slam/io/dataset/formats_internal.h"
+#include "cvo_slam/io/dataset/image_lists_internal.h"
+
+namespace cvo_slam {
+namespace {
+
+using Path = std::filesystem::path;
+
+/// What the numbers in the names of images count.
+struct NameUnit {
+  std::string_view name;  // for people
+  double per_second = 0;
+  int decimals = 0;  // of a stamp
+};
+
+constexpr NameUnit kSeconds = {"seconds", 1, 0};
+constexpr NameUnit kFrames = {"frames", 30, 6};
+constexpr std::array<NameUnit, 4> kClockUnits = {
+    {kSeconds, {"milliseconds", 1e3, 3}, {"microseconds", 1e6, 6}, {"nanoseconds", 1e9, 9}}};
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Returns the last number of a name without its extension, with its fraction: "0012" of
+/// "frame_0012", "1305031102.175" of "rgb-1305031102.175"; empty if there is none.
+std::string_view last_number(std::string_view stem) {
+  std::size_t end = stem.size();
+  while (end > 0 && !is_digit(stem[end - 1])) --end;
+  std::size_t begin = end;
+  bool has_point = false;
+  while (begin > 0) {
+    const bool is_point = stem[begin - 1] == '.' && !has_point && begin > 1 &&
+                          is_digit(stem[begin - 2]) && begin < end;
+    if (!is_digit(stem[begin - 1]) && !is_point) break;
+    has_point = has_point || is_point;
+    --begin;
+  }
+  return stem.substr(begin, end - begin);
+}
+
+/// The images of a folder by the number in their names.
+struct NumberedImages {
+  Path folder;
+  std::vector<std::pair<std::string, Path>> images;
+  std::size_t without_number = 0;
+};
+
+NumberedImages list_images(const Path& folder) {
+  NumberedImages result{folder, {}, 0};
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const Path& file = entry.path();
+    if (!has_image_extension(file.filename().string())) continue;
+    const std::string stem = file.stem().string();
+    const std::string_view number = last_number(stem);
+    if (number.empty()) {
+      ++result.without_number;
+    } else {
+      result.images.emplace_back(number, file);
+    }
+  }
+  std::sort(result.images.begin(), result.images.end(),
+            [](const auto& a, const auto& b) { return a.second < b.second; });
+  return result;
+}
+
+/// Returns what the numbers of a folder count. A number with a fraction, and one that is a time
+/// from 1980 to 2096 in one of the units, is a stamp; others number the frames.
+NameUnit unit_of(const NumberedImages& images) {
+  constexpr double kEarliest = 3.2e8;
+  constexpr double kLatest = 4e9;
+  const auto& numbers = images.images;
+  if (std::any_of(numbers.begin(), numbers.end(),
+                  [](const auto& image) { return image.first.find('.') != std::string::npos; })) {
+    return kSeconds;
+  }
+  const double value = parse_finite(numbers.front().first).value_or(0);
+  for (const NameUnit& unit : kClockUnits) {
+    if (value / unit.per_second >= kEarliest && value / unit.per_second <= kLatest) return unit;
+  }
+  return kFrames;
+}
+
+/// Returns the stamp that a number means; empty if it is none.
+std::optional<Timestamp> stamp_of(std::string_view number, const NameUnit& unit) {
+  if (unit.per_second == 1) return Timestamp::parse(number);
+  const auto count = parse_integer<std::int64_t>(number);
+  if (!count) return std::nullopt;
+  if (unit.name == kFrames.name) {
+    constexpr std::int64_t kMost = 1'000'000'000;
+    constexpr std::int64_t kMicrosecond = 1000;
+    if (*count > kMost) return std::nullopt;
+    return Timestamp(
+        std::llround(static_cast<double>(*count) * 1e6 / unit.per_second) * kMicrosecond,
+        unit.decimals);
+  }
+  return Timestamp(*count * static_cast<std::int64_t>(1e9 / unit.per_second), unit.decimals);
+}
+
+/// Returns the images in ascending order of their stamps; of equal ones the first.
+std::vector<StampedFile> stamped(const NumberedImages& images, const NameUnit& unit) {
+  std::map<Timestamp, Path> files;
+  for (const auto& [number, file] : images.images) {
+    const auto stamp = stamp_of(number, unit);
+    if (!stamp) {
+      throw InputError(
+          file, fmt::format("the number '{}' in the name is no time in {}", number, unit.name));
+    }
+    files.emplace(*stamp, file);
+  }
+  std::vector<StampedFile> result;
+  for (const auto& [stamp, file] : files) result.push_back({stamp, file});
+  return result;
+}
+
+bool has_image(const Path& folder) {
+  if (!std::filesystem::is_directory(folder)) return false;
+  const std::filesystem::directory_iterator files(folder);
+  return std::any_of(begin(files), end(files), [](const auto& entry) {
+    return has_image_extension(entry.path().filename().string());
+  });
+}
+
+/// Returns the folder of the colour images; empty if there is none, or none of depth images.
+std::optional<Path> color_folder(const Path& folder) {
+  if (!has_image(folder / "depth")) return std::nullopt;
+  for (const char* name : {"rgb", "color", "colour", "images", "image"}) {
+    if (has_image(folder / name)) return folder / name;
+  }
+  return std::nullopt;
+}
+
+void add_notes(const NumberedImages& images, std::size_t used, Sequence& sequence) {
+  const std::string name = images.folder.filename().string();
+  if (images.without_number > 0) {
+    sequence.notes.push_back(
+        fmt::format("{}: {} images have no number in their names and are left out", name,
+                    images.without_number));
+  }
+  if (used < images.images.size()) {
+    sequence.notes.push_back(
+        fmt::format("{}: {} images have the number of another and are left out", name,
+                    images.images.size() - used));
+  }
+}
+
+Sequence open_image_folders(const Path& folder, const PairingOptions& options) {
+  const NumberedImages color_images = list_images(color_folder(folder).value());
+  const NumberedImages depth_images = list_images(folder / "depth");
+  if (color_images.images.empty() || depth_images.images.empty()) {
+    throw InputError(folder,
+                     "the images have no number in their names, so that it is not known "
+                     "when they were taken; list them in rgb.txt and depth.txt");
+  }
+  const NameUnit unit = unit_of(color_images);
+  const NameUnit depth_unit = unit_of(depth_images);
+  if (unit.name != depth_unit.name) {
+    throw InputError(folder,
+                     fmt::format("the names of the colour images count {} and those of the depth "
+                                 "images {}; pair them in associations.txt",
+                                 unit.name, depth_unit.name));
+  }
+  const auto colors = stamped(color_images, unit);
+  const auto depths = stamped(depth_images, unit);
+  Sequence sequence = pair_images(colors, depths, options);
+  if (sequence.frames.empty()) {
+    throw InputError(folder, fmt::format("no colour image has a depth image within {} s; give "
+                                         "--max-diff or --depth-offset",
+                                         options.max_stamp_difference));
+  }
+  add_notes(color_images, colors.size(), sequence);
+  add_notes(depth_images, depths.size(), sequence);
+  sequence.notes.push_back(
+      unit.name == kFrames.name
+          ? fmt::format("stamps are the numbers in the names of the images, at an assumed {} Hz",
+                        kFrames.per_second)
+          : fmt::format("stamps are the numbers in the names of the images, in {}", unit.name));
+  add_reference(folder, sequence);
+  return sequence;
+}
+
+}  // namespace
+
+constinit const DatasetFormat kImageFoldersFormat = {
+    .name = "image folders",
+    .layout = "rgb or color, and depth, files named by number or stamp",
+    .recognise = [](const Path& folder) { return color_folder(folder).has_value(); },
+    .named_camera = nullptr,
+    .open = open_image_folders,
+};
+
+}  // namespace cvo_slam
