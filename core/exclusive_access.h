@@ -21,7 +21,9 @@ class ExclusiveAccess {
       throw UsageError("this " + name + " was moved from; use the one that it was moved to");
     }
     if (impl_->in_use.test_and_set()) {
-      throw UsageError("another thread is in this " + name + "; call it from one at a time");
+      throw UsageError("another thread is in this " + name +
+                       ", or it was called by its own observer; call it from "
+                       "one thread at a time");
     }
   }
   ~ExclusiveAccess() { impl_->in_use.clear(); }

@@ -3,12 +3,15 @@
 #include "cvo_slam/slam/slam.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <pybind11/functional.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -141,6 +144,16 @@ void bind_slam(py::module_& module) {
           "finish", [](PySlam& self) { self.slam.finish(); },
           py::call_guard<py::gil_scoped_release>(),
           "Optimises the whole graph; tracking may go on after it.")
+      .def(
+          "observe",
+          [](PySlam& self, std::function<void(const FrameRecord&)> frame,
+             std::function<void(const std::vector<Keyframe>&)> correction) {
+            self.slam.observe({std::move(frame), std::move(correction)});
+          },
+          py::arg("frame") = py::none(), py::arg("correction") = py::none(),
+          "From now on calls frame(record) in each track(), and before that correction(keyframes) "
+          "when an optimisation has moved keyframes. They must not call this object; what they "
+          "raise, track() and finish() raise after their work is done.")
       .def(
           "trajectory",
           [](const PySlam& self, const std::string& view) {

@@ -258,6 +258,7 @@ void Mapper::optimize(OptimizationScope scope) {
   const Summary summary = map_.graph.optimize(scope);
   for (const std::size_t i : map_.graph.moved()) {
     proximity_.set(i, map_.graph.pose(i).translation(), map_.keyframes[i].reach);
+    moved_.insert(i);
   }
   keyframes_since_solve_ = 0;
   if (scope == OptimizationScope::kWindow) {

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
@@ -73,6 +75,8 @@ class Mapper {
   /// Optimises the whole graph and takes back the loops that it contradicts, unless nothing was
   /// added since that was done.
   void optimize_all();
+  /// Returns the positions of the keyframes that were moved since the last call, ascending.
+  [[nodiscard]] std::set<std::size_t> take_moved() { return std::exchange(moved_, {}); }
 
   [[nodiscard]] const MapState& map() const { return map_; }
   [[nodiscard]] const PoseGraph& graph() const { return map_.graph.graph(); }
@@ -107,7 +111,8 @@ class Mapper {
   std::vector<SubmapLink> contradictions_;  // that the graph does not believe
   std::vector<LoopCandidate> candidates_;
   GraphStatistics statistics_;
-  SE3 T_world_newest_tracked_;  // the newest keyframe's pose as it was tracked
+  std::set<std::size_t> moved_;  // positions, since take_moved()
+  SE3 T_world_newest_tracked_;   // the newest keyframe's pose as it was tracked
   int keyframes_since_solve_ = 0;
   bool is_fully_optimized_ = true;
 };

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <deque>
+#include <exception>
 #include <map>
 #include <optional>
 #include <utility>
@@ -28,11 +29,17 @@ SlamOptions checked(SlamOptions options) {
   return options;
 }
 
+/// What the map says after it has taken in a keyframe.
+struct MapUpdate {
+  CorrectedPose newest;
+  std::vector<Keyframe> moved;  // empty if nobody asks
+};
+
 /// A keyframe handed to the mapper, done or not, whose correction is not applied yet.
 struct SubmittedKeyframe {
   int tracked_submap = 0;
   SE3 T_world_camera_tracked;
-  std::shared_ptr<CorrectedPose> pose_in_map;  // written by the job
+  std::shared_ptr<MapUpdate> update;  // written by the job
 };
 
 std::optional<FeatureStart> make_feature_start(
@@ -40,6 +47,30 @@ std::optional<FeatureStart> make_feature_start(
     const std::shared_ptr<const Vocabulary>& vocabulary) {
   if (!options.loops.enabled) return std::nullopt;
   return FeatureStart(camera, options.loops.detection, vocabulary);
+}
+
+Keyframe keyframe_at(const MapState& map, std::size_t position) {
+  const StoredKeyframe& keyframe = map.keyframes[position];
+  return {keyframe.number, keyframe.stamp, map.submap_at(position), map.graph.pose(position)};
+}
+
+std::vector<Keyframe> moved_keyframes(Mapper& mapper) {
+  std::vector<Keyframe> moved;
+  for (const std::size_t position : mapper.take_moved()) {
+    moved.push_back(keyframe_at(mapper.map(), position));
+  }
+  return moved;
+}
+
+/// Calls a function if there is one, and keeps what it throws unless something was thrown before.
+template <typename Function, typename Value>
+void notify(const Function& function, const Value& value, std::exception_ptr& thrown) {
+  if (!function) return;
+  try {
+    function(value);
+  } catch (...) {
+    if (!thrown) thrown = std::current_exception();
+  }
 }
 
 /// Where the map has a tracked submap.
@@ -77,10 +108,14 @@ struct Slam::Impl {
   bool is_located = false;        // since the last keyframe, or frame while it is not
   std::deque<SubmittedKeyframe> submitted;  // in ascending order
   std::map<int, Correction> corrections;    // by tracked submap
+  SlamObserver observer;
+  std::vector<std::vector<Keyframe>> moved;  // that the observer does not know yet
   Mapper mapper;
   JobQueue jobs;  // the last member: its thread ends before what it works on
 
   FrameRecord track(RgbdFrame frame);
+  FrameRecord track_and_notify(const RgbdFrame& frame);
+  void notify_of_corrections(std::exception_ptr& thrown);
   void load(const Map& map, MapUse use);
   void localize(const RgbdFrame& frame, const FrameRecord& tracked);
   [[nodiscard]] FrameRecord relocalize(const RgbdFrame& frame, const FrameRecord& lost);
@@ -133,6 +168,21 @@ FrameRecord Slam::Impl::track(RgbdFrame frame) {
   if (answer.keyframe >= first_number) answer.keyframe -= first_number;
   if (answer.promoted_keyframe) *answer.promoted_keyframe -= first_number;
   return answer;
+}
+
+FrameRecord Slam::Impl::track_and_notify(const RgbdFrame& frame) {
+  FrameRecord record = track(frame);
+  std::exception_ptr thrown;
+  notify_of_corrections(thrown);
+  notify(observer.frame, record, thrown);
+  if (thrown) std::rethrow_exception(thrown);
+  return record;
+}
+
+void Slam::Impl::notify_of_corrections(std::exception_ptr& thrown) {
+  for (const auto& keyframes : std::exchange(moved, {})) {
+    notify(observer.correction, keyframes, thrown);
+  }
 }
 
 /// Takes over a map before the first frame.
@@ -217,9 +267,11 @@ void Slam::Impl::submit(const TrackerKeyframe& keyframe) {
   input.recognized = std::exchange(recognized, std::nullopt);
   if (options.loops.enabled) input.images = keyframe.images;
   history.add_keyframe(input.number);
-  submitted.push_back({record.submap, record.T_world_camera, std::make_shared<CorrectedPose>()});
-  jobs.submit([this, pose_in_map = submitted.back().pose_in_map, input = std::move(input)] {
-    *pose_in_map = mapper.add(input);
+  submitted.push_back({record.submap, record.T_world_camera, std::make_shared<MapUpdate>()});
+  jobs.submit([this, update = submitted.back().update, input = std::move(input),
+               is_observed = static_cast<bool>(observer.correction)] {
+    update->newest = mapper.add(input);
+    if (is_observed) update->moved = moved_keyframes(mapper);
   });
   apply_corrections(static_cast<std::size_t>(options.correction_delay));
 }
@@ -231,8 +283,12 @@ void Slam::Impl::apply_corrections(std::size_t left) {
   jobs.wait_until_left(left);
   const SubmittedKeyframe& newest_done = submitted[submitted.size() - left - 1];
   corrections[newest_done.tracked_submap] = {
-      newest_done.pose_in_map->submap,
-      newest_done.pose_in_map->T_world_camera * newest_done.T_world_camera_tracked.inverse()};
+      newest_done.update->newest.submap,
+      newest_done.update->newest.T_world_camera * newest_done.T_world_camera_tracked.inverse()};
+  for (std::size_t i = 0; i + left < submitted.size(); ++i) {
+    auto& keyframes = submitted[i].update->moved;
+    if (!keyframes.empty()) moved.push_back(std::move(keyframes));
+  }
   submitted.erase(submitted.begin(), submitted.end() - static_cast<std::ptrdiff_t>(left));
 }
 
@@ -251,6 +307,13 @@ void Slam::Impl::finish() {
   if (const auto keyframe = tracker.take_keyframe()) submit(*keyframe);
   apply_corrections(0);
   mapper.optimize_all();
+  if (observer.correction) {
+    auto keyframes = moved_keyframes(mapper);
+    if (!keyframes.empty()) moved.push_back(std::move(keyframes));
+  }
+  std::exception_ptr thrown;
+  notify_of_corrections(thrown);
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 Slam::Slam(const Camera& camera, const SlamOptions& options,
@@ -270,10 +333,14 @@ Slam::Slam(Slam&&) noexcept = default;
 Slam& Slam::operator=(Slam&&) noexcept = default;
 
 FrameRecord Slam::track(const RgbdFrame& frame) {
-  return ExclusiveAccess(impl_, "Slam")->track(frame);
+  return ExclusiveAccess(impl_, "Slam")->track_and_notify(frame);
 }
 
 void Slam::finish() { ExclusiveAccess(impl_, "Slam")->finish(); }
+
+void Slam::observe(SlamObserver observer) {
+  ExclusiveAccess(impl_, "Slam")->observer = std::move(observer);
+}
 
 Trajectory Slam::trajectory(TrajectoryView view) const {
   const ExclusiveAccess impl(impl_, "Slam");
@@ -293,8 +360,7 @@ std::vector<Keyframe> Slam::keyframes() const {
   const MapState& map = impl->finished_map();
   std::vector<Keyframe> keyframes;
   for (std::size_t i = 0; i < map.keyframes.size(); ++i) {
-    const StoredKeyframe& keyframe = map.keyframes[i];
-    keyframes.push_back({keyframe.number, keyframe.stamp, map.submap_at(i), map.graph.pose(i)});
+    keyframes.push_back(keyframe_at(map, i));
   }
   return keyframes;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -41,6 +42,19 @@ struct Keyframe {
   Timestamp stamp;
   int submap = 0;  ///< poses of different submaps are of different worlds
   SE3 T_world_camera;
+};
+
+/// What a Slam object tells while it tracks. Either function may be empty. They are called in the
+/// thread of track() or finish() once its work is done, so that a slow one makes the caller wait
+/// and changes no result; they must not call the object. What they throw, track() or finish()
+/// throws after both were called, and tracking may go on.
+struct SlamObserver {
+  /// Called by each track() with the record that it is about to return.
+  std::function<void(const FrameRecord&)> frame = {};
+  /// Called before that with keyframes that an optimisation has moved, each with its new pose:
+  /// those near the newest one now and then, all of a submap when a loop was closed. Corrections
+  /// come with the delay of track() (SlamOptions::correction_delay), and in finish() without.
+  std::function<void(const std::vector<Keyframe>&)> correction = {};
 };
 
 /// Tracks an RGB-D camera and builds a map of keyframes. Registrations between near keyframes hold
@@ -86,6 +100,9 @@ class Slam {
 
   /// Optimises the whole graph. May be called again; tracking may go on after it.
   void finish();
+
+  /// Calls these functions from now on, in place of earlier ones.
+  void observe(SlamObserver observer);
 
   /// The path of the camera in the submap with most frames; for kFinal, after joining. In a map
   /// that was loaded, if any frame is located in it. Frames of other submaps are lost.

@@ -3,7 +3,7 @@
 #
 # The types of the module; what the parts do is in their docstrings.
 import os
-from typing import Any, Iterator, Literal, Mapping, Sequence, TypeAlias, overload
+from typing import Any, Callable, Iterator, Literal, Mapping, Sequence, TypeAlias, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -434,6 +434,11 @@ class Slam(_Tracks):
         vocabulary: Vocabulary | None = ...,
     ) -> None: ...
     def finish(self) -> None: ...
+    def observe(
+        self,
+        frame: Callable[[FrameRecord], None] | None = ...,
+        correction: Callable[[list[Keyframe]], None] | None = ...,
+    ) -> None: ...
     def trajectory(self, view: Literal["final", "online"] = ...) -> Trajectory: ...
     def map(self) -> Map: ...
     def pose_graph(self) -> PoseGraph: ...

@@ -134,11 +134,15 @@ std::string text_of(const fs::path& file) {
   return fmt::format("{}\n", fmt::join(lines_of(file), "\n"));
 }
 
-TEST(Manual, TheReadmeShowsTheExampleAsItIs) {
+TEST(Manual, TheReadmeShowsTheExamplesAsTheyAre) {
   const fs::path root = CVO_SLAM_SOURCE_DIR;
-  const std::string example = text_of(root / "apps" / "examples" / "track_sequence.cc");
-  const std::string code = example.substr(example.find("#include"));
-  EXPECT_THAT(text_of(root / "README.md"), testing::HasSubstr("```cpp\n" + code + "```\n"));
+  const auto code_from = [&](const char* file, const char* begin) {
+    const std::string example = text_of(root / "apps" / "examples" / file);
+    return "```cpp\n" + example.substr(example.find(begin)) + "```\n";
+  };
+  const std::string readme = text_of(root / "README.md");
+  EXPECT_THAT(readme, testing::HasSubstr(code_from("own_images.cc", "int main()")));
+  EXPECT_THAT(readme, testing::HasSubstr(code_from("track_sequence.cc", "#include")));
 }
 
 TEST(Manual, TheTestsThatTheErrataNameExist) {

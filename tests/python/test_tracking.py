@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import cvo_slam
 from conftest import run_program
@@ -71,6 +72,40 @@ def test_records(data: cvo_slam.Dataset) -> None:
     record = tracker.track(np.zeros((10, 10, 3), np.uint8), data.read(2).depth, 1e9)
     assert not record.tracked and record.T_world_camera is None
     assert "10x10" in record.reason and record.index == 2
+
+
+def test_observer(data: cvo_slam.Dataset) -> None:
+    slam = cvo_slam.Slam(data.camera)
+    records: list[cvo_slam.FrameRecord] = []
+    poses: dict[int, NDArray[np.float64]] = {}
+
+    def correction(keyframes: list[cvo_slam.Keyframe]) -> None:
+        poses.update({keyframe.number: keyframe.T_world_camera for keyframe in keyframes})
+
+    slam.observe(records.append, correction)
+    for frame in data:
+        slam.track(frame)
+    slam.finish()
+    assert [record.index for record in records] == list(range(len(data)))
+    for keyframe in slam.keyframes():
+        assert np.array_equal(poses[keyframe.number], keyframe.T_world_camera)
+
+
+def test_what_an_observer_raises(data: cvo_slam.Dataset) -> None:
+    slam = cvo_slam.Slam(data.camera)
+
+    def interrupt(record: cvo_slam.FrameRecord) -> None:
+        raise KeyboardInterrupt
+
+    slam.observe(interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        slam.track(data.read(0))
+    slam.observe(lambda record: slam.finish())
+    with pytest.raises(cvo_slam.UsageError):
+        slam.track(data.read(1))
+    slam.observe()
+    assert slam.track(data.read(2)).tracked
+    assert len(slam.trajectory().poses) == 3
 
 
 @pytest.mark.parametrize(

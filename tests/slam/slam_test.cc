@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -259,6 +262,64 @@ TEST_F(SlamOnSyntheticFrames, AnObjectThatWasMovedFromSaysSo) {
   EXPECT_THROW(slam.finish(), UsageError);
   EXPECT_THROW(std::ignore = slam.trajectory(), UsageError);
   EXPECT_TRUE(other.keyframes().empty());
+}
+
+TEST_F(SlamOnSyntheticFrames, AnObserverSeesEveryFrameAndEveryKeyframeThatMoves) {
+  const auto observed = [this](Schedule schedule) {
+    slam_.schedule = schedule;
+    Slam slam = make_slam();
+    std::vector<FrameRecord> records;
+    std::vector<std::vector<Keyframe>> corrections;
+    slam.observe({[&](const FrameRecord& record) { records.push_back(record); },
+                  [&](const std::vector<Keyframe>& moved) { corrections.push_back(moved); }});
+    for (std::size_t i = 0; i < kFrames; ++i) {
+      const FrameRecord record = slam.track(frames_[i]);
+      EXPECT_EQ(records.size(), i + 1);
+      EXPECT_EQ(records.back().T_world_camera.matrix(), record.T_world_camera.matrix());
+    }
+    EXPECT_GT(corrections.size(), 2U);
+    slam.finish();
+    // Who keeps what was said last has the map's poses.
+    std::map<std::size_t, SE3> poses;
+    for (const auto& moved : corrections) {
+      for (const Keyframe& keyframe : moved) poses[keyframe.number] = keyframe.T_world_camera;
+    }
+    EXPECT_EQ(poses.size(), slam.keyframes().size());
+    for (const Keyframe& keyframe : slam.keyframes()) {
+      EXPECT_EQ(poses[keyframe.number].matrix(), keyframe.T_world_camera.matrix());
+    }
+    return corrections.size();
+  };
+  EXPECT_EQ(observed(Schedule::kInline), observed(Schedule::kPipelined));
+}
+
+TEST_F(SlamOnSyntheticFrames, AnObserverThatThrowsChangesNoResult) {
+  const Slam undisturbed = run();
+  Slam slam = make_slam();
+  slam.observe({[](const FrameRecord&) { throw std::runtime_error("of the frame"); },
+                [](const std::vector<Keyframe>&) { throw std::runtime_error("of a correction"); }});
+  std::set<std::string> thrown;
+  const auto catching = [&](const std::function<void()>& call) {
+    try {
+      call();
+    } catch (const std::runtime_error& error) {
+      thrown.insert(error.what());
+    }
+  };
+  for (const RgbdFrame& frame : frames_) {
+    catching([&] { slam.track(frame); });
+  }
+  catching([&] { slam.finish(); });
+  EXPECT_THAT(thrown, testing::UnorderedElementsAre("of the frame", "of a correction"));
+  expect_same(slam.trajectory(), undisturbed.trajectory());
+}
+
+TEST_F(SlamOnSyntheticFrames, AnObserverMustNotCallTheObject) {
+  Slam slam = make_slam();
+  slam.observe({.frame = [&](const FrameRecord&) { std::ignore = slam.keyframes(); }});
+  EXPECT_THROW(slam.track(frames_[0]), UsageError);
+  slam.observe({});
+  EXPECT_NO_THROW(slam.track(frames_[1]));
 }
 
 TEST_F(SlamOnSyntheticFrames, ImpossibleOptionsAreErrors) {
