@@ -3,12 +3,17 @@
 #include "cvo_slam/io/followed_dataset.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <ranges>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
 #include "cvo_slam/core/error.h"
 
@@ -17,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds kPause(50);
-constexpr std::chrono::seconds kPatience(1);  // with images that cannot be read
-constexpr int kShareOfOpening = 10;           // opening takes at most one in so many seconds
+constexpr std::chrono::milliseconds kLongestWait(50);  // file systems of a network tell nothing
+constexpr std::chrono::seconds kPatience(1);           // with images that cannot be read
+constexpr int kShareOfOpening = 10;  // opening takes at most one in so many seconds
 
 bool is_list(const fs::path& file) {
   return file.extension() == ".txt" || file.extension() == ".csv";
@@ -47,8 +52,48 @@ std::string state_of(const fs::path& folder) {
 
 }  // namespace
 
+/// Waits for changes of the files in a folder and in those below it.
+class FollowedDataset::FolderWatch {
+ public:
+  FolderWatch() : events_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {}
+  ~FolderWatch() {
+    if (events_ >= 0) close(events_);
+  }
+  FolderWatch(const FolderWatch&) = delete;
+  FolderWatch& operator=(const FolderWatch&) = delete;
+
+  /// Begins to watch a folder and those below it that are not watched yet.
+  void add(const fs::path& folder) const {
+    add_one(folder);
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+      std::error_code ignored;
+      if (entry->is_directory(ignored)) add_one(entry->path());
+    }
+  }
+  /// Returns after a change, or after a while.
+  void wait() const {
+    pollfd events{events_, POLLIN, 0};
+    static_cast<void>(poll(&events, 1, static_cast<int>(kLongestWait.count())));
+    std::array<std::byte, 4096> text{};
+    while (::read(events_, text.data(), text.size()) > 0) continue;
+  }
+
+ private:
+  void add_one(const fs::path& folder) const {
+    constexpr std::uint32_t kChanges = IN_CREATE | IN_MOVED_TO | IN_CLOSE_WRITE | IN_MODIFY;
+    static_cast<void>(inotify_add_watch(events_, folder.c_str(), kChanges));
+  }
+
+  int events_;
+};
+
 FollowedDataset::FollowedDataset(fs::path folder, DatasetOptions options, FollowOptions follow)
-    : folder_(std::move(folder)), options_(std::move(options)), follow_(std::move(follow)) {
+    : folder_(std::move(folder)),
+      options_(std::move(options)),
+      follow_(std::move(follow)),
+      watch_(std::make_unique<FolderWatch>()) {
   constexpr double kMostSeconds = 1e6;
   if (!(follow_.end_after > 0 && follow_.end_after <= kMostSeconds)) {
     throw OptionError("end_after must be above 0 and at most a million seconds");
@@ -60,11 +105,13 @@ FollowedDataset::FollowedDataset(fs::path folder, DatasetOptions options, Follow
     } catch (const InputError&) {
       if (has_ended() || is_stopped()) throw;
     }
-    std::this_thread::sleep_for(kPause);
+    watch_->wait();
   }
   camera_origin_ = newest_->camera_origin();
   options_.camera = newest_->camera();  // found once; the images need not be asked again
 }
+
+FollowedDataset::~FollowedDataset() = default;
 
 std::optional<RgbdFrame> FollowedDataset::next() {
   while (!is_stopped()) {
@@ -89,7 +136,7 @@ std::optional<RgbdFrame> FollowedDataset::next() {
     } else if (ended) {
       break;
     }
-    std::this_thread::sleep_for(kPause);
+    watch_->wait();
   }
   const std::size_t late = next_position() - std::min(next_position(), stamps_.size());
   if (late > 0) {
@@ -117,6 +164,7 @@ void FollowedDataset::refresh() {
   if (state != state_) {
     state_ = std::move(state);
     last_change_ = Clock::now();
+    watch_->add(folder_);
     is_current_ = false;
   }
   if (!is_current_ && Clock::now() >= next_opening_) reopen();

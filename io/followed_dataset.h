@@ -41,6 +41,7 @@ class FollowedDataset final : public Dataset, public FrameSource {
   /// after FollowOptions::end_after, or when it is told to stop, and OptionError.
   explicit FollowedDataset(std::filesystem::path folder, DatasetOptions options = {},
                            FollowOptions follow = {});
+  ~FollowedDataset() override;
 
   [[nodiscard]] std::optional<RgbdFrame> next() override;
 
@@ -59,6 +60,7 @@ class FollowedDataset final : public Dataset, public FrameSource {
   [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
 
  private:
+  class FolderWatch;
   using Clock = std::chrono::steady_clock;
 
   [[nodiscard]] bool is_stopped() const { return follow_.stop && follow_.stop(); }
@@ -76,6 +78,7 @@ class FollowedDataset final : public Dataset, public FrameSource {
   std::filesystem::path folder_;
   DatasetOptions options_;
   FollowOptions follow_;
+  std::unique_ptr<FolderWatch> watch_;
   std::unique_ptr<Dataset> newest_;  // the recording as far as it was written
   std::string camera_origin_;
   std::vector<Timestamp> stamps_;  // of the frames returned

@@ -101,7 +101,7 @@ NameUnit unit_of(const NumberedImages& images) {
 }
 
 /// Returns the stamp that a number means; empty if it is none.
-std::optional<Timestamp> stamp_of(std::string_view number, const NameUnit& unit) {
+std::optional<Timestamp> stamp_of_number(std::string_view number, const NameUnit& unit) {
   if (unit.per_second == 1) return Timestamp::parse(number);
   const auto count = parse_integer<std::int64_t>(number);
   if (!count) return std::nullopt;
@@ -120,7 +120,7 @@ std::optional<Timestamp> stamp_of(std::string_view number, const NameUnit& unit)
 std::vector<StampedFile> stamped(const NumberedImages& images, const NameUnit& unit) {
   std::map<Timestamp, Path> files;
   for (const auto& [number, file] : images.images) {
-    const auto stamp = stamp_of(number, unit);
+    const auto stamp = stamp_of_number(number, unit);
     if (!stamp) {
       throw InputError(
           file, fmt::format("the number '{}' in the name is no time in {}", number, unit.name));
