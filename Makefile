@@ -123,6 +123,11 @@ install: build/release/build.ninja ## Build and install the program and the libr
 	cmake --build build/release --target cvo_slam_installed --parallel $(JOBS)
 	cmake --install build/release --prefix "$(PREFIX)"
 
+.PHONY: packages
+packages: needs-dpkg-shlibdeps build/package/build.ninja ## Make Debian packages in build/package/packages
+	cmake --build build/package --target cvo_slam_installed cvo_slam_python --parallel $(JOBS)
+	cd build/package && cpack --config CPackConfig.cmake
+
 .PHONY: clean
 clean: ## Remove everything that was built (results/ stays)
 	rm -rf build
@@ -151,5 +156,5 @@ $(PACKAGES): apt-packages.txt tools/install_packages.sh
 .PHONY: needs-%
 needs-%:
 	@command -v $* > /dev/null || { \
-	  echo "make: $* is not installed; on Debian: apt-get install clang clang-tidy clang-format" >&2; \
+	  echo "make: $* is not installed; on Debian: apt-get install clang clang-tidy clang-format dpkg-dev" >&2; \
 	  exit 1; }

@@ -22,5 +22,14 @@ configure_package_config_file(cmake/cvo_slam-config.cmake.in
                               INSTALL_DESTINATION ${CONFIG_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/cvo_slam-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
+# For builds without CMake: all rooms, those that need others first.
+set(ROOMS synthetic render plot io slam loop backend frontend core)
+list(TRANSFORM ROOMS PREPEND -lcvo_slam_ OUTPUT_VARIABLE ROOM_FLAGS)
+list(JOIN ROOM_FLAGS " " ROOM_FLAGS)
+list(GET OpenCV_INCLUDE_DIRS 0 OPENCV_INCLUDE_DIR)
+file(RELATIVE_PATH PREFIX_FROM_PKGCONFIG /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(cmake/cvo_slam.pc.in ${PROJECT_BINARY_DIR}/cvo_slam.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cvo_slam.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
 install(FILES ${PROJECT_BINARY_DIR}/cvo_slam-config.cmake
               ${PROJECT_BINARY_DIR}/cvo_slam-config-version.cmake DESTINATION ${CONFIG_DIR})

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/core/files.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -71,10 +71,18 @@ std::string read_file(const fs::path& file) {
     throw InputError(file, fmt::format("cannot be opened: {}; check the path and its permissions",
                                        last_system_error()));
   }
-  std::string bytes;
   const auto size = fs::file_size(file, problem);  // fails for a pipe
-  if (!problem) bytes.reserve(size);
-  bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  // One more than there should be: the end shows at once.
+  constexpr std::size_t kPart = 65536;
+  std::size_t wanted = problem ? kPart : size + 1;
+  std::string bytes;
+  while (stream) {
+    const std::size_t begin = bytes.size();
+    bytes.resize(begin + wanted);
+    stream.read(&bytes[begin], static_cast<std::streamsize>(wanted));
+    bytes.resize(begin + static_cast<std::size_t>(stream.gcount()));
+    wanted = std::max(kPart, bytes.size());
+  }
   if (stream.bad()) throw InputError(file, "cannot be read to its end; check the disk");
   return bytes;
 }

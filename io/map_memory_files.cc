@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr const char* kCameraFile = "camera.yaml";
 constexpr const char* kTableFile = "keyframes.csv";
 constexpr const char* kBlobFile = "keyframes.bin";
@@ -42,24 +42,62 @@ constexpr const char* kTableHeader =
 constexpr std::size_t kMostBytes = 64U << 20U;
 constexpr std::size_t kMostSubmaps = 1000000;
 
+/// Bytes are packed in blocks, each behind its size as it is packed (uint16, little-endian). A
+/// block that zlib would make less than an eighth smaller stands as it is, and says 0: unpacking
+/// would cost time for nothing.
+constexpr std::size_t kBlock = 8192;
+
+void append_size(std::string& text, std::size_t size) {
+  text += static_cast<char>(size & 0xFFU);
+  text += static_cast<char>(size >> 8U);
+}
+
 std::string packed(std::string_view bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string result(size, '\0');
-  // It can only fail for lack of memory, or a buffer that is too small.
-  if (compress(reinterpret_cast<Bytef*>(result.data()), &size,
-               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()) != Z_OK) {
-    throw std::bad_alloc();
+  std::string result;
+  std::string buffer(compressBound(kBlock), '\0');
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(kBlock, bytes.size()))) {
+    const std::string_view block = bytes.substr(0, kBlock);
+    uLongf size = buffer.size();
+    // It can only fail for lack of memory, or a buffer that is too small.
+    if (compress(reinterpret_cast<Bytef*>(buffer.data()), &size,
+                 reinterpret_cast<const Bytef*>(block.data()), block.size()) != Z_OK) {
+      throw std::bad_alloc();
+    }
+    const bool is_worth_it = 8 * size < 7 * block.size();
+    append_size(result, is_worth_it ? size : 0);
+    result += is_worth_it ? std::string_view(buffer).substr(0, size) : block;
   }
-  result.resize(size);
   return result;
+}
+
+/// Takes a block from the front of `bytes` and writes what it was to `target`. Returns false if
+/// that has not `size` bytes.
+bool unpack_block(std::string_view& bytes, char* target, std::size_t size) {
+  if (bytes.size() < 2) return false;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  const std::size_t packed_size = byte(0) | static_cast<std::size_t>(byte(1)) << 8U;
+  bytes.remove_prefix(2);
+  const std::size_t taken = packed_size == 0 ? size : packed_size;
+  if (bytes.size() < taken) return false;
+  uLongf length = size;
+  if (packed_size == 0) {
+    std::copy_n(bytes.data(), size, target);
+  } else if (uncompress(reinterpret_cast<Bytef*>(target), &length,
+                        reinterpret_cast<const Bytef*>(bytes.data()), packed_size) != Z_OK) {
+    return false;
+  }
+  bytes.remove_prefix(taken);
+  return length == size;
 }
 
 std::string unpacked(std::string_view bytes, std::size_t size, const fs::path& file) {
   std::string result(size, '\0');
-  uLongf length = size;
-  const int status = uncompress(reinterpret_cast<Bytef*>(result.data()), &length,
-                                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
-  if (status != Z_OK || length != size) throw InputError(file, "is damaged; make the map again");
+  for (std::size_t begin = 0; begin < size; begin += kBlock) {
+    if (!unpack_block(bytes, &result[begin], std::min(kBlock, size - begin))) {
+      throw InputError(file, "is damaged; make the map again");
+    }
+  }
+  if (!bytes.empty()) throw InputError(file, "is damaged; make the map again");
   return result;
 }
 
@@ -100,6 +138,28 @@ std::uint32_t hexadecimal_of(const YamlValue& value, const std::string& what) {
     value.fail(what + ": expected eight hexadecimal digits");
   }
   return number;
+}
+
+/// Throws InputError unless a file is as its entry in the header says.
+void check_file(const YamlValue& entry, const std::string& name, const fs::path& file,
+                std::string_view bytes) {
+  const auto& values = entry.list(name);
+  if (values.size() != 2) entry.fail(name + ": expected its size and its checksum");
+  if (static_cast<double>(bytes.size()) == values[0].number(name) &&
+      crc32_of(bytes) == hexadecimal_of(values[1], name)) {
+    return;
+  }
+  throw InputError(file, fmt::format("is not the file that {} describes: damaged, or of another "
+                                     "map; make the map again",
+                                     kMapHeader));
+}
+
+/// Returns the bytes of a file of a map, which are as its header says. Throws InputError.
+std::string read_checked(const fs::path& folder, const std::string& name, const YamlValue& header) {
+  std::string bytes = read_file(folder / name);
+  const YamlValue& files = header.require("files", "the files of the map");
+  check_file(files.require(name, "a file of the map"), name, folder / name, bytes);
+  return bytes;
 }
 
 std::vector<std::string_view> parts_of(std::string_view text, char separator) {
@@ -209,8 +269,8 @@ MapMemory read_memory(const fs::path& folder) {
   memory.cos_theta_sum = cos_theta[0];
   memory.cos_theta_count = static_cast<std::size_t>(std::max(0.0, cos_theta[1]));
   const fs::path table = folder / kTableFile;
-  const std::string text = read_text_file(table);
-  const std::string bytes = read_file(folder / kBlobFile);
+  const std::string text = read_checked(folder, kTableFile, root);
+  const std::string bytes = read_checked(folder, kBlobFile, root);
   BlobReader blob(bytes, folder / kBlobFile);
   long line_number = 0;
   for (const std::string_view line : parts_of(text, '\n')) {
@@ -254,19 +314,9 @@ void check_header(const fs::path& folder) {
     static_cast<void>(files.require(name, "a file of the map"));
   }
   for (const auto& [name, entry] : files.map("files")) {
-    const auto& values = entry.list(name);
-    if (values.size() != 2 || name.find('/') != std::string::npos) {
-      entry.fail(name + ": expected its size and its checksum");
-    }
-    const fs::path file = folder / name;
-    const std::string bytes = read_file(file);
-    if (static_cast<double>(bytes.size()) != values[0].number(name) ||
-        crc32_of(bytes) != hexadecimal_of(values[1], name)) {
-      throw InputError(file,
-                       fmt::format("is not the file that {} describes: damaged, or of another "
-                                   "map; make the map again",
-                                   kMapHeader));
-    }
+    if (name.find('/') != std::string::npos) entry.fail(name + ": is no file of the map's folder");
+    if (name == kTableFile || name == kBlobFile) continue;  // read_memory() reads them
+    check_file(entry, name, folder / name, read_file(folder / name));
   }
 }
 

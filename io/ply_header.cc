@@ -113,7 +113,7 @@ class HeaderParser {
     constexpr std::size_t kLongestLine = 4096;
     const std::size_t end = text_.substr(0, position_ + kLongestLine).find('\n', position_);
     if (end == std::string_view::npos) return false;
-    words_ = split_words(std::string(text_.substr(position_, end - position_)));
+    words_ = split_words(text_.substr(position_, end - position_));
     position_ = end + 1;
     return true;
   }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -91,9 +90,16 @@ std::string in_quotes(std::string_view word) {
   return fmt::format("'{}{}'", text, word.size() > kLongest ? "..." : "");
 }
 
-std::vector<std::string> split_words(const std::string& line) {
-  std::istringstream stream(line);
-  return {std::istream_iterator<std::string>(stream), {}};
+std::vector<std::string> split_words(std::string_view line) {
+  constexpr std::string_view kSpaces = " \t\r\v\f\n";
+  std::vector<std::string> words;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
+    if (line.empty()) return words;
+    const std::size_t end = std::min(line.find_first_of(kSpaces), line.size());
+    words.emplace_back(line.substr(0, end));
+    line.remove_prefix(end);
+  }
 }
 
 std::vector<std::string> split_columns(const std::string& line) {

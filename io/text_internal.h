@@ -28,7 +28,7 @@ std::string number_problem(std::string_view word);
 std::string in_quotes(std::string_view word);
 
 /// Returns the words of a line: what blanks, tabs and a carriage return separate.
-std::vector<std::string> split_words(const std::string& line);
+std::vector<std::string> split_words(std::string_view line);
 
 /// Returns the columns of a line of a table: what blanks separate or, in a CSV file, semicolons or
 /// commas. A comma is no separator in a line with a blank that is not beside a comma.

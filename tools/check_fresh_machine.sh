@@ -12,37 +12,10 @@
 set -eu
 
 checkout=$(cd "$(dirname "$0")/.." && pwd)
-mirror=http://deb.debian.org/debian
-[ "$(id -u)" -eq 0 ] || { echo "check_fresh_machine.sh: needs root" >&2; exit 1; }
-command -v debootstrap > /dev/null || {
-  echo "check_fresh_machine.sh: needs debootstrap: apt-get install debootstrap" >&2
-  exit 1
-}
-
-keep=${1:-}
-root=${1:-$(mktemp -d)}
+. "$checkout/tools/debian_root.sh"
+make_root "$@"
 [ $# -eq 0 ] || shift
 [ $# -gt 0 ] || set -- test demo
-
-clean_up() {
-  for folder in proc dev; do
-    ! mountpoint --quiet "$root/$folder" || umount --recursive "$root/$folder"
-  done
-  # One file system only: should something still be mounted here, it is not deleted.
-  [ -n "$keep" ] || rm -rf --one-file-system "$root"
-}
-trap clean_up EXIT
-trap 'exit 130' INT TERM
-
-inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"; }
-
-if [ ! -e "$root/etc/debian_version" ]; then
-  debootstrap --variant=minbase bookworm "$root" "$mirror"
-fi
-mountpoint --quiet "$root/proc" || mount -t proc proc "$root/proc"
-mountpoint --quiet "$root/dev" || { mount --rbind /dev "$root/dev" && mount --make-rslave "$root/dev"; }
-cp /etc/resolv.conf "$root/etc/resolv.conf"
-inside apt-get update --quiet=2
 inside DEBIAN_FRONTEND=noninteractive \
   apt-get install --yes --quiet=2 --no-install-recommends g++ cmake make git ca-certificates
 

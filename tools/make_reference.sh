@@ -30,20 +30,13 @@ faults=$work/faults
 
 # --- command-line.md -----------------------------------------------------------------------------
 
-# The names below "Subcommands:" of a help page, which is read from stdin.
-subcommands() { awk '/^Subcommands:/ { listed = 1; next } listed && /^  [a-z]/ { print $1 }'; }
+. tools/help_pages.sh
 
-# Section and help text of a command and of those below it: its words. The default number of threads
-# is that of the machine, and the program's folder is not part of its name.
+# Section and help text of a command: its words.
 document_command() {
-  # shellcheck disable=SC2086  # several words
-  "$program" $1 --help > "$work/help" || exit 1
-  below=$(subcommands < "$work/help")
   printf '\n## cvo_slam%s\n\n```\n' "${1:+ $1}"
-  sed -e 's/\(--threads INT:.*\]\)=[0-9]*$/\1=<processors>/' -e 's/[[:space:]]*$//' "$work/help" |
-    sed -e '${/^$/d}'
+  help_of "$1"
   printf '```\n'
-  for name in $below; do document_command "${1:+$1 }$name"; done
 }
 
 write_command_line() {
@@ -64,7 +57,7 @@ in [options.md](options.md), and the files of a run in [files.md](files.md).
 
 An error is one line on stderr that says what is wrong, where, and what to do.
 END
-  document_command ''
+  each_command document_command
 }
 
 # --- options.md ----------------------------------------------------------------------------------

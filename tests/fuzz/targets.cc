@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/core/files.h"
 #include "cvo_slam/core/options.h"
 #include "cvo_slam/io/camera_file.h"
 #include "cvo_slam/io/dataset/image_lists_internal.h"
@@ -96,13 +97,19 @@ void parse_vocabulary(std::string_view bytes) {
 
 void parse_image(std::string_view bytes) { static_cast<void>(parse_image_header(bytes)); }
 
+/// Two blocks, of which the first is packed.
+constexpr std::string_view kMapBlob(
+    "\x0b\0\x78\x9c\x4b\x4c\x84\x01\0\x14\xe1\x03\xcb"
+    "\0\0abcd",
+    19);
+
 const fs::path& map_folder() {
   static const fs::path folder = [] {
     fs::create_directories(scratch_folder() / "map");
     write_scratch("map/camera.yaml",
                   "width: 640\nheight: 480\nfx: 525\nfy: 525\ncx: 320\ncy: 240\n"
                   "depth_scale: 1000\n");
-    write_scratch("map/keyframes.bin", std::string(64, 'x'));
+    write_scratch("map/keyframes.bin", kMapBlob);
     return scratch_folder() / "map";
   }();
   return folder;
@@ -114,9 +121,15 @@ void parse_map_header(std::string_view bytes) {
   check_header(map_folder());
 }
 
+/// The table of the keyframes, with the checksum that it has.
 void parse_map_keyframes(std::string_view bytes) {
   map_folder();
-  write_scratch("map/map.yaml", "vocabulary: 0\ncos_theta: [1, 2]\n");
+  const auto entry = [](std::string_view name, std::string_view file) {
+    return fmt::format("  {}: [{}, \"{:08x}\"]\n", name, file.size(), crc32_of(file));
+  };
+  write_scratch("map/map.yaml", "vocabulary: 0\ncos_theta: [1, 2]\nfiles:\n" +
+                                    entry("keyframes.csv", bytes) +
+                                    entry("keyframes.bin", kMapBlob));
   write_scratch("map/keyframes.csv", bytes);
   static_cast<void>(read_memory(map_folder()));
 }

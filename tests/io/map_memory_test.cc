@@ -129,9 +129,9 @@ TEST_F(MapMemoryFiles, AFlippedBitIsFound) {
 
 TEST_F(MapMemoryFiles, MissingFilesAndOtherVersionsAreNamed) {
   write_map(map_, map_with('a'));
-  replace_in("map.yaml", "format: 1", "format: 2");
-  EXPECT_THAT(error_of_reading(), AllOf(HasSubstr("map.yaml:2"), HasSubstr("format 2")));
-  replace_in("map.yaml", "format: 2", "format: 1");
+  replace_in("map.yaml", "format: 2", "format: 3");
+  EXPECT_THAT(error_of_reading(), AllOf(HasSubstr("map.yaml:2"), HasSubstr("format 3")));
+  replace_in("map.yaml", "format: 3", "format: 2");
   fs::remove(map_ / "keyframes.bin");
   EXPECT_THAT(error_of_reading(), HasSubstr("keyframes.bin"));
   replace_in("map.yaml", "  keyframes.bin:", "  keyframes_bin:");
