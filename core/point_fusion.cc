@@ -38,7 +38,8 @@ class Rays {
     return frame.depth.size() == size_ && frame.pixel_step == pixel_step_;
   }
   [[nodiscard]] const Eigen::Vector3f& operator()(int u, int v) const {
-    return rays_[static_cast<std::size_t>(v * size_.width + u)];
+    return rays_[static_cast<std::size_t>(v) * static_cast<std::size_t>(size_.width) +
+                 static_cast<std::size_t>(u)];
   }
 
  private:
@@ -190,8 +191,8 @@ SampledFrame sample_frame(const RgbdFrame& frame, int pixel_step) {
     const std::size_t bytes = from.elemSize();
     const std::uint8_t* source = from.ptr(pixel_step * v + pixel_step / 2);
     for (int u = 0; u < columns; ++u) {
-      const auto column = static_cast<std::size_t>(pixel_step * u + pixel_step / 2);
-      std::copy_n(source + bytes * column, bytes, to.ptr(v, u));
+      const int column = pixel_step * u + pixel_step / 2;
+      std::copy_n(source + bytes * static_cast<std::size_t>(column), bytes, to.ptr(v, u));
     }
   };
   for (int v = 0; v < rows; ++v) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -60,10 +61,11 @@ std::optional<double> smallest_positive_stationary_point(const std::array<double
 }
 
 void check(const FlowConstants& constants) {
-  const std::pair<const char*, double> positive[] = {{"metric_a2", constants.metric_a2},
-                                                     {"metric_b2", constants.metric_b2},
-                                                     {"max_step", constants.max_step},
-                                                     {"fallback_step", constants.fallback_step}};
+  const std::array<std::pair<const char*, double>, 4> positive = {
+      {{"metric_a2", constants.metric_a2},
+       {"metric_b2", constants.metric_b2},
+       {"max_step", constants.max_step},
+       {"fallback_step", constants.fallback_step}}};
   for (const auto& [name, value] : positive) {
     if (value > 0 && std::isfinite(value)) continue;
     throw OptionError(fmt::format("flow.{}={} must be positive and finite", name, value));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cvo_slam/frontend/kernel_shape_internal.h"
@@ -141,7 +142,7 @@ void PairTable::set_points(const PointCloud& moving, const KernelOptions& kernel
     const Matrix3 P = is_point && has_shapes_
                           ? kernel_precision(moving, order_[k], rotation, kernel, length_scale)
                           : Matrix3(Matrix3::Identity());
-    const double upper[] = {P(0, 0), P(0, 1), P(0, 2), P(1, 1), P(1, 2), P(2, 2)};
+    const std::array<double, 6> upper = {P(0, 0), P(0, 1), P(0, 2), P(1, 1), P(1, 2), P(2, 2)};
     for (std::size_t i = 0; i < group.P.size(); ++i) {
       group.P[i][lane] = static_cast<float>(upper[i]);
     }

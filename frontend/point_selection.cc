@@ -223,7 +223,7 @@ void PointSelector::rank(double min_gradient, PreparedFrame& frame) {
 
 /// Keeps a bucket's candidates sorted, equal ones in the order of the image.
 void PointSelector::offer(std::size_t bucket, const PixelCandidate& candidate,
-                          PreparedFrame& frame) const {
+                          PreparedFrame& frame) {
   PixelCandidate* const first = frame.candidates.data() + bucket * kBucketSize;
   PixelCandidate* slot = first + frame.counts[bucket]++;
   for (; slot != first && (slot - 1)->gradient2 < candidate.gradient2; --slot) {

@@ -77,7 +77,7 @@ class PointSelector {
 
  private:
   void rank(double min_gradient, PreparedFrame& frame);
-  void offer(std::size_t bucket, const PixelCandidate& candidate, PreparedFrame& frame) const;
+  static void offer(std::size_t bucket, const PixelCandidate& candidate, PreparedFrame& frame);
 
   Camera camera_;
   SelectionOptions options_;

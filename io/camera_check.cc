@@ -32,8 +32,10 @@ double squared_difference(double a, double b) {
 
 /// Returns the grey value between four pixels; the position lies inside the image.
 double interpolated(const cv::Mat& grey, const Eigen::Vector2d& pixel) {
-  const int u = static_cast<int>(pixel.x()), v = static_cast<int>(pixel.y());
-  const double right = pixel.x() - u, down = pixel.y() - v;
+  const int u = static_cast<int>(pixel.x());
+  const int v = static_cast<int>(pixel.y());
+  const double right = pixel.x() - u;
+  const double down = pixel.y() - v;
   const auto value = [&](int du, int dv) {
     return static_cast<double>(grey.at<std::uint8_t>(v + dv, u + du));
   };
@@ -72,7 +74,8 @@ void warn_of_pinhole(const PinholeCamera& camera, const std::string& name,
         camera.cx, camera.cy, name, camera.width, camera.height));
   }
   // 20 to 127 degrees across.
-  constexpr double kNarrow = 2.8, kWide = 0.25;
+  constexpr double kNarrow = 2.8;
+  constexpr double kWide = 0.25;
   const double focal = std::fabs(camera.fx) / camera.width;
   if (focal > kNarrow || focal < kWide) {
     warnings.push_back(fmt::format(
@@ -109,8 +112,11 @@ std::vector<LocatedFrame> posed_frames(const std::vector<Timestamp>& stamps,
 }
 
 std::vector<FramePairMotion> choose_pairs(const std::vector<LocatedFrame>& frames) {
-  constexpr std::size_t kPairs = 6, kFarthest = 60;
-  constexpr double kTurn = 0.2, kStep = 0.25;  // [rad], [m]: most of the image is seen by both
+  constexpr std::size_t kPairs = 6;
+  constexpr std::size_t kFarthest = 60;
+  // Most of the image is seen by both.
+  constexpr double kTurn = 0.2;   // [rad]
+  constexpr double kStep = 0.25;  // [m]
   std::vector<FramePairMotion> pairs;
   if (frames.size() < 2) return pairs;
   const std::size_t count = std::min(kPairs, frames.size() - 1);
@@ -131,7 +137,8 @@ std::optional<Reprojection> reproject(const GreyDepth& a, const GreyDepth& b, co
                                       const Camera& camera) {
   constexpr int kStep = 6;              // [px]
   constexpr std::size_t kFewest = 200;  // pixels
-  double color = 0, still = 0;
+  double color = 0;
+  double still = 0;
   std::vector<double> depth_errors;
   for (int v = kStep / 2; v < b.depth.rows; v += kStep) {
     for (int u = kStep / 2; u < b.depth.cols; u += kStep) {
@@ -178,7 +185,8 @@ std::optional<Reprojection> measure_reprojection(const Dataset& data,
   for (std::size_t i = 0; i < data.size(); ++i) stamps.push_back(data.stamp(i));
   std::vector<Reprojection> pairs;
   for (const auto& [a, b] : choose_pairs(posed_frames(stamps, poses))) {
-    const RgbdFrame frame_a = data.read(a.index), frame_b = data.read(b.index);
+    const RgbdFrame frame_a = data.read(a.index);
+    const RgbdFrame frame_b = data.read(b.index);
     if (!frame_a.problem.empty() || !frame_b.problem.empty()) continue;
     const auto agreement =
         reproject({to_grey(frame_a.color), frame_a.depth}, {to_grey(frame_b.color), frame_b.depth},
@@ -198,7 +206,9 @@ std::vector<std::string> camera_warnings(const Camera& camera) {
 std::optional<std::string> reprojection_warning(const Reprojection& agreement,
                                                 const std::string& poses) {
   // Noise of a Kinect at 3 m is 1 %, and true poses remove most of the difference of two images.
-  constexpr double kDepth = 0.03, kColor = 0.7, kMoves = 25;
+  constexpr double kDepth = 0.03;
+  constexpr double kColor = 0.7;
+  constexpr double kMoves = 25;
   const bool bad_color =
       agreement.still_error > kMoves && agreement.color_error > kColor * agreement.still_error;
   if (agreement.depth_error <= kDepth && !bad_color) return std::nullopt;

@@ -63,7 +63,7 @@ SE3 parse_pose(const YamlValue& value, const std::string& what) {
   // Calibrations typed by hand have 4 digits or more; what is further off is not a rotation.
   constexpr double kTolerance = 1e-3;
   const Matrix3 rotation = matrix.topLeftCorner<3, 3>();
-  const SE3 pose = SE3::from_matrix(matrix);
+  SE3 pose = SE3::from_matrix(matrix);
   if ((rotation - pose.rotation()).norm() > kTolerance ||
       matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
     value.fail(expected);
@@ -253,8 +253,8 @@ Camera parse_camera(const std::string& text, const std::filesystem::path& file) 
     throw InputError(file, "is empty; a camera needs width, height, fx, fy, ...");
   }
   const std::string file_name = file.stem().string();
-  const Camera camera = is_settings_file(root) ? parse_settings_camera(root, file_name)
-                                               : parse_own_camera(root, file_name);
+  Camera camera = is_settings_file(root) ? parse_settings_camera(root, file_name)
+                                         : parse_own_camera(root, file_name);
   try {
     camera.check();
   } catch (const OptionError& error) {

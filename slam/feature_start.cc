@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <utility>
-
 #include "cvo_slam/slam/feature_start_internal.h"
 
 namespace cvo_slam {
@@ -19,33 +17,15 @@ VerificationOptions for_starts(VerificationOptions options) {
 
 }  // namespace
 
-FeatureStart::FeatureStart(const Camera& camera, const LoopOptions& options,
-                           std::shared_ptr<const Vocabulary> vocabulary)
-    : camera_(camera),
-      options_(options),
-      vocabulary_(std::move(vocabulary)),
-      verifier_(camera, for_starts(options.verification)) {}
+FeatureStart::FeatureStart(const Camera& camera, const VerificationOptions& options,
+                           AppearanceCache& appearances)
+    : appearances_(appearances), verifier_(camera, for_starts(options)) {}
 
 std::optional<SE3> FeatureStart::find(const RgbdFrame& keyframe, const RgbdFrame& frame) {
-  const auto a = appearance_of(keyframe);
-  const auto b = appearance_of(frame);
-  newer_ = b;
-  older_ = a;
-  const Verification verification = verifier_.verify(*a, *b);
+  const Verification verification =
+      verifier_.verify(*appearances_.of(keyframe), *appearances_.of(frame));
   if (!verification.accepted) return std::nullopt;
   return verification.T_a_b;
-}
-
-std::shared_ptr<const Appearance> FeatureStart::appearance_of(const RgbdFrame& frame) {
-  for (const auto& known : {newer_, older_}) {
-    if (known && known->id == frame.index) return known;
-  }
-  Appearance appearance;
-  appearance.id = frame.index;
-  appearance.features = extract_orb(frame, camera_, options_.orb);
-  appearance.words = vocabulary_->transform(appearance.features.descriptors,
-                                            options_.verification.matching.node_level);
-  return std::make_shared<const Appearance>(std::move(appearance));
 }
 
 }  // namespace cvo_slam

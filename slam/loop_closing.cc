@@ -52,6 +52,7 @@ LoopClosing::LoopClosing(const Camera& camera, const RegistrationOptions& regist
       field_of_view_(camera.color),
       options_(options),
       detector_(camera, options.detection, vocabulary),
+      appearances_(detector_),
       registration_(registration, threads, options.pair, noise) {}
 
 void LoopClosing::restore(std::size_t number, const std::string& features) {
@@ -67,7 +68,7 @@ std::uint32_t LoopClosing::vocabulary_checksum() const {
 }
 
 std::vector<LoopMatch> LoopClosing::recognize(const RgbdFrame& images, const PointCloud& cloud) {
-  const auto appearance = detector_.extract(images);
+  const auto appearance = appearances_.of(images);
   std::vector<LoopMatch> matches = detector_.find_loops(*appearance);
   detector_.add(appearance);
   if (!matches.empty()) registration_.set_newer(cloud);
@@ -153,7 +154,7 @@ LoopVerdict LoopClosing::judge_by_images(const std::vector<LoopMatch>& matches, 
 
 std::vector<LoopMatch> LoopClosing::recognize_lost(const RgbdFrame& images,
                                                    const PointCloud& cloud) {
-  std::vector<LoopMatch> matches = detector_.relocalize(*detector_.extract(images));
+  std::vector<LoopMatch> matches = detector_.relocalize(*appearances_.of(images));
   const bool any = std::any_of(matches.begin(), matches.end(),
                                [](const LoopMatch& match) { return match.verification.accepted; });
   if (any) registration_.set_newer(cloud);

@@ -12,6 +12,7 @@
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/rgbd_frame.h"
 #include "cvo_slam/loop/loop_detector.h"
+#include "cvo_slam/slam/appearance_cache_internal.h"
 #include "cvo_slam/slam/graph_prior_internal.h"
 #include "cvo_slam/slam/loop_candidate.h"
 #include "cvo_slam/slam/map_state_internal.h"
@@ -60,6 +61,8 @@ class LoopClosing {
   /// verification rejected, for loops.csv. Enters the image into the index and keeps the cloud as
   /// the newer one of the pairs.
   [[nodiscard]] std::vector<LoopMatch> recognize(const RgbdFrame& images, const PointCloud& cloud);
+  /// The features and words of the last images; for several threads.
+  [[nodiscard]] AppearanceCache& appearances() { return appearances_; }
   /// Judges one of the matches of the latest recognize(). `paths` starts at the newest keyframe.
   [[nodiscard]] LoopVerdict judge(const std::vector<LoopMatch>& matches, std::size_t index,
                                   const MapState& map, PathSearch& paths);
@@ -84,6 +87,7 @@ class LoopClosing {
   FieldOfView field_of_view_;
   LoopClosingOptions options_;
   LoopDetector detector_;
+  AppearanceCache appearances_;
   PairRegistration registration_;
 };
 

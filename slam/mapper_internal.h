@@ -63,6 +63,10 @@ class Mapper {
   /// loops are not closed. Adds a row for each keyframe that was tried.
   [[nodiscard]] std::optional<RecognizedPose> relocalize(const RgbdFrame& images,
                                                          const PointCloud& cloud);
+  /// The features and words of the last images, for several threads; null if loops are not closed.
+  [[nodiscard]] AppearanceCache* appearances() {
+    return loop_closing_ ? &loop_closing_->appearances() : nullptr;
+  }
   /// Takes over the keyframes and edges of another map, before any of its own. Throws DataError if
   /// its parts do not belong together.
   void restore(const Map& map);

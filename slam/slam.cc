@@ -42,13 +42,6 @@ struct SubmittedKeyframe {
   std::shared_ptr<MapUpdate> update;  // written by the job
 };
 
-std::optional<FeatureStart> make_feature_start(
-    const Camera& camera, const SlamOptions& options,
-    const std::shared_ptr<const Vocabulary>& vocabulary) {
-  if (!options.loops.enabled) return std::nullopt;
-  return FeatureStart(camera, options.loops.detection, vocabulary);
-}
-
 Keyframe keyframe_at(const MapState& map, std::size_t position) {
   const StoredKeyframe& keyframe = map.keyframes[position];
   return {keyframe.number, keyframe.stamp, map.submap_at(position), map.graph.pose(position)};
@@ -85,16 +78,18 @@ struct Slam::Impl {
   Impl(const Camera& camera, const SlamOptions& options_in,
        const std::shared_ptr<const Vocabulary>& vocabulary)
       : options(checked(options_in)),
-        start(make_feature_start(camera, options, vocabulary)),
         tracker(camera, options.tracker),
         consensus(options.loops.relocalization.frames, options.tracker.lost.max_speed,
                   options.tracker.lost.max_angular_speed),
         mapper(camera, options, vocabulary),
-        jobs(options.schedule) {}
+        jobs(options.schedule) {
+    if (auto* const appearances = mapper.appearances()) {
+      start.emplace(camera, options.loops.detection.verification, *appearances);
+    }
+  }
 
   std::atomic_flag in_use;  // see ExclusiveAccess
   SlamOptions options;
-  std::optional<FeatureStart> start;  // where images may be compared by features
   Tracker tracker;
   FrameHistory history;
   FrameRecord last_tracked_record;           // of the last tracked frame, as the tracker answered
@@ -111,7 +106,8 @@ struct Slam::Impl {
   SlamObserver observer;
   std::vector<std::vector<Keyframe>> moved;  // that the observer does not know yet
   Mapper mapper;
-  JobQueue jobs;  // the last member: its thread ends before what it works on
+  std::optional<FeatureStart> start;  // where images may be compared by features
+  JobQueue jobs;                      // the last member: its thread ends before what it works on
 
   FrameRecord track(RgbdFrame frame);
   FrameRecord track_and_notify(const RgbdFrame& frame);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -76,9 +77,9 @@ bool names_camera(const Path& file) {
   if (std::filesystem::file_size(file, problem) > kLargest || problem) return false;
   const std::string name = to_lower(file.filename().string());
   const std::string extension = to_lower(file.extension().string());
-  constexpr std::string_view kTexts[] = {".txt", ".json", ".yaml", ".yml",   ".xml", ".ini",
-                                         ".cfg", ".csv",  ".npy",  ".calib", ""};
-  if (std::find(std::begin(kTexts), std::end(kTexts), extension) == std::end(kTexts)) return false;
+  constexpr std::array<std::string_view, 11> kTexts = {
+      ".txt", ".json", ".yaml", ".yml", ".xml", ".ini", ".cfg", ".csv", ".npy", ".calib", ""};
+  if (std::find(kTexts.begin(), kTexts.end(), extension) == kTexts.end()) return false;
   // 7-Scenes-like recordings of other groups have "info.txt", "_info.txt".
   return name.find("intrinsic") != std::string::npos || name.starts_with("calib") ||
          name.starts_with("camera") || name.starts_with("cam0") || name == "info.txt" ||
@@ -123,8 +124,9 @@ std::vector<Path> find_foreign_camera_files(const std::vector<Path>& folders) {
 bool states_intrinsics_of(const Path& file, const Camera& camera) {
   const std::vector<std::string> words = split_words(read_file(file));
   if (words.size() != 9) return false;
-  std::vector<double> k;
-  for (const std::string& word : words) k.push_back(parse_finite(word).value_or(std::nan("")));
+  std::vector<double> k(words.size());
+  std::transform(words.begin(), words.end(), k.begin(),
+                 [](const std::string& word) { return parse_finite(word).value_or(std::nan("")); });
   const auto matches = [&](const PinholeCamera& pinhole) {
     const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.01 * std::fabs(b); };
     return near(k[0], pinhole.fx) && near(k[4], pinhole.fy) && near(k[2], pinhole.cx) &&
@@ -193,7 +195,8 @@ std::optional<double> disagreement(const Sequence& sequence, const std::vector<D
     const auto pose = [&](std::size_t frame) {
       return interpolate_at(poses, sequence.frames[frame].stamp, kMaxPoseGap);
     };
-    const auto T_world_a = pose(pair.a), T_world_b = pose(pair.b);
+    const auto T_world_a = pose(pair.a);
+    const auto T_world_b = pose(pair.b);
     if (!T_world_a || !T_world_b) continue;
     const auto agreement = reproject({pair.grey_a, reader.register_depth(pair.depth_a)},
                                      {pair.grey_b, reader.register_depth(pair.depth_b)},
