@@ -100,9 +100,10 @@ void DepthRegistration::project_row(const std::uint16_t* depth, int v, Projected
     const float inverse_z = 1 / z;
     float x = (units * ray_x[i] + tx) * inverse_z;
     float y = (units * ray_y[i] + ty) * inverse_z;
-    // NOLINTNEXTLINE(readability-implicit-bool-conversion)
+    // NOLINTBEGIN(readability-implicit-bool-conversion)
     const bool visible =
         (units > 0) & (z >= 1) & (z < kFarthestUnits) & (x * x + y * y <= max_radius2_);
+    // NOLINTEND(readability-implicit-bool-conversion)
     if (is_distorted) apply_brown_distortion(distortion, x, y);
     row.u[i] = k[0] * x + k[2];
     row.v[i] = k[1] * y + k[3];

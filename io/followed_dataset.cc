@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
 #include <system_error>
 #include <utility>
 
@@ -177,6 +176,8 @@ void FollowedDataset::reopen() {
   try {
     newest_ = open_dataset(folder_, options_);
     notes_ = newest_->notes();
+    newest_stamps_.resize(newest_->size());
+    for (std::size_t i = 0; i < newest_->size(); ++i) newest_stamps_[i] = newest_->stamp(i);
     is_current_ = true;
   } catch (const InputError& error) {
     if (!newest_) throw;
@@ -194,11 +195,9 @@ std::size_t FollowedDataset::next_position() const {
 }
 
 std::size_t FollowedDataset::position_of(std::size_t index) const {
-  const auto positions = std::views::iota(std::size_t{0}, newest_->size());
   const auto found =
-      std::ranges::lower_bound(positions, stamps_.at(index), {},
-                               [this](std::size_t position) { return newest_->stamp(position); });
-  return static_cast<std::size_t>(found - positions.begin());
+      std::lower_bound(newest_stamps_.begin(), newest_stamps_.end(), stamps_.at(index));
+  return static_cast<std::size_t>(found - newest_stamps_.begin());
 }
 
 }  // namespace cvo_slam

@@ -80,6 +80,7 @@ class FollowedDataset final : public Dataset, public FrameSource {
   FollowOptions follow_;
   std::unique_ptr<FolderWatch> watch_;
   std::unique_ptr<Dataset> newest_;  // the recording as far as it was written
+  std::vector<Timestamp> newest_stamps_;
   std::string camera_origin_;
   std::vector<Timestamp> stamps_;  // of the frames returned
   std::vector<std::string> notes_;

@@ -43,7 +43,8 @@ int side(std::uint32_t value) {
 ImageHeader parse_png(std::string_view text) {
   const Bytes bytes(text, std::endian::big);
   ImageHeader header{{side(bytes.word(16, 4)), side(bytes.word(20, 4))}, false};
-  constexpr std::size_t kSignature = 8, kAround = 12;
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kAround = 12;
   for (std::size_t at = kSignature; at + kAround <= text.size();) {
     const std::size_t next = at + kAround + bytes.word(at, 4);
     if (text.substr(at + 4, 4) == "IEND") {
@@ -58,7 +59,10 @@ ImageHeader parse_png(std::string_view text) {
 /// Walks over the segments: 0xff, marker, length, data (ITU-T T.81, B.1.1). Behind a start of scan
 /// the coded image follows, in which 0xff is followed by 0 or by a restart marker.
 ImageHeader parse_jpeg(std::string_view text) {
-  constexpr std::uint32_t kEnd = 0xd9, kScan = 0xda, kFirstRestart = 0xd0, kLastRestart = 0xd7;
+  constexpr std::uint32_t kEnd = 0xd9;
+  constexpr std::uint32_t kScan = 0xda;
+  constexpr std::uint32_t kFirstRestart = 0xd0;
+  constexpr std::uint32_t kLastRestart = 0xd7;
   const auto is_frame = [](std::uint32_t marker) {  // start of frame; c4, c8 and cc are tables
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
   };
@@ -114,7 +118,9 @@ ImageHeader parse_bmp(std::string_view text) {
 
 /// Reads the first directory: entries of 12 bytes, tag, type, count, value (TIFF 6.0, section 2).
 ImageHeader parse_tiff(std::string_view text, std::endian order) {
-  constexpr std::uint32_t kWidth = 256, kHeight = 257, kShort = 3;
+  constexpr std::uint32_t kWidth = 256;
+  constexpr std::uint32_t kHeight = 257;
+  constexpr std::uint32_t kShort = 3;
   const Bytes bytes(text, order);
   const std::size_t directory = bytes.word(4, 4);
   ImageHeader header;
