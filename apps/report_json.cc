@@ -189,6 +189,7 @@ Json json_of(const GraphResult& result) {
           {"window_s", statistics.window_seconds},
           {"full_solves", statistics.full_solves},
           {"full_s", statistics.full_seconds},
+          {"keyframes_mb", static_cast<double>(statistics.keyframe_bytes) / kBytesOfMegabyte},
           {"last_full",
            {{"initial_cost", last.initial_cost},
             {"final_cost", last.final_cost},

@@ -31,6 +31,12 @@ std::string_view registration_word(const RegistrationResult& result) {
   return "";
 }
 
+std::string share_of_keyframes(const GraphResult& graph) {
+  return fmt::format(", {:.0f} MB of it for {} keyframes",
+                     static_cast<double>(graph.statistics.keyframe_bytes) / kBytesOfMegabyte,
+                     graph.keyframes.size());
+}
+
 std::string error_rows(const EvaluationReport& evaluation) {
   std::string rows;
   if (evaluation.ate) {
@@ -111,7 +117,8 @@ std::string to_table(const RunReport& report) {
     table += fmt::format("{:<12} {} points, made and drawn in {:.1f} s of CPU\n", "map",
                          report.map.map.points.size(), report.map.cpu_seconds);
   }
-  table += fmt::format("{:<12} {:.0f} MB\n", "peak memory", run.peak_memory_mb);
+  table += fmt::format("{:<12} {:.0f} MB{}\n", "peak memory", run.peak_memory_mb,
+                       report.graph ? share_of_keyframes(*report.graph) : "");
   for (const auto& note : report.all_notes()) table += fmt::format("{:<12} {}\n", "note", note);
   return table;
 }

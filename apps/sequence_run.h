@@ -65,6 +65,9 @@ struct RunControl {
   bool keep_map = false;  ///< return the map of a SlamRun
 };
 
+/// What a MB of memory is in reports.
+inline constexpr double kBytesOfMegabyte = 1024.0 * 1024;
+
 /// CPU time of the process so far [s].
 [[nodiscard]] double process_cpu_seconds();
 

@@ -6,9 +6,12 @@
 // frame against its keyframe. With six degrees of freedom its mean should be 6, and 95 % of the
 // values should be below 12.59. Y. Bar-Shalom et al., "Estimation with Applications to Tracking and
 // Navigation", 2001.
-//   information_consistency sequence...
+//   information_consistency [--set key=value]... sequence...
+// The keys are those of the tracker: expert.registration.information_scale, ...
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,8 +36,8 @@ std::optional<SE3> pose_at(const std::vector<StampedPose>& reference, const Time
 }
 
 /// Returns the NEES of every frame that was registered against a keyframe.
-std::vector<double> nees_of(const Dataset& data) {
-  Tracker tracker(data.camera());
+std::vector<double> nees_of(const Dataset& data, const TrackerOptions& options) {
+  Tracker tracker(data.camera(), options);
   std::vector<double> values;
   for (std::size_t i = 0; i < data.size(); ++i) {
     const FrameRecord record = tracker.track(data.read(i)).record;
@@ -66,11 +69,20 @@ void print_row(const std::string& name, std::vector<double> values) {
 
 int main(int argc, char** argv) {
   return cvo_slam::report_errors([&] {
+    cvo_slam::TrackerOptions options;
+    const cvo_slam::OptionSet set = describe(options);
     fmt::print("| sequence | frames | mean NEES | median NEES | inside the 95 % gate [%] |\n");
     fmt::print("| --- | ---: | ---: | ---: | ---: |\n");
     for (int i = 1; i < argc; ++i) {
-      const auto data = cvo_slam::open_dataset(argv[i]);
-      cvo_slam::print_row(data->name(), cvo_slam::nees_of(*data));
+      const std::string_view argument = argv[i];
+      if (argument == "--set" && i + 1 < argc) {
+        const std::string_view setting = argv[++i];
+        const std::size_t equals = std::min(setting.find('='), setting.size() - 1);
+        set.set(std::string(setting.substr(0, equals)), std::string(setting.substr(equals + 1)));
+        continue;
+      }
+      const auto data = cvo_slam::open_dataset(argument);
+      cvo_slam::print_row(data->name(), cvo_slam::nees_of(*data, options));
     }
   });
 }

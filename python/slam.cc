@@ -145,6 +145,20 @@ void bind_slam(py::module_& module) {
           py::call_guard<py::gil_scoped_release>(),
           "Optimises the whole graph; tracking may go on after it.")
       .def(
+          "statistics",
+          [](const PySlam& self) {
+            const GraphStatistics statistics = self.slam.statistics();
+            py::dict result;
+            result["window_solves"] = statistics.window_solves;
+            result["window_seconds"] = statistics.window_seconds;
+            result["full_solves"] = statistics.full_solves;
+            result["full_seconds"] = statistics.full_seconds;
+            result["keyframe_bytes"] = statistics.keyframe_bytes;
+            return result;
+          },
+          "How often the newest part and the whole of the graph were optimised, the wall time of "
+          "that [s], and the memory of the keyframes [bytes].")
+      .def(
           "observe",
           [](PySlam& self, std::function<void(const FrameRecord&)> frame,
              std::function<void(const std::vector<Keyframe>&)> correction) {

@@ -44,13 +44,16 @@ struct LoopCandidate {
   std::string reason;  ///< why it was not accepted, or was taken back; empty if it is an edge
 };
 
-/// How often the graph was optimised while it grew, and how long that took.
+/// What the map takes: how often the graph was optimised while it grew, how long that took, and
+/// memory.
 struct GraphStatistics {
   int window_solves = 0;
   int full_solves = 0;
   double window_seconds = 0;  ///< wall time of all window solves
   double full_seconds = 0;    ///< wall time of all full solves
   Summary last_full;          ///< of the last optimisation of the whole graph
+  /// Memory of the keyframes: their points, features, words and the index of these [bytes].
+  std::size_t keyframe_bytes = 0;
 };
 
 }  // namespace cvo_slam

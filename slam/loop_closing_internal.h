@@ -61,6 +61,8 @@ class LoopClosing {
   /// verification rejected, for loops.csv. Enters the image into the index and keeps the cloud as
   /// the newer one of the pairs.
   [[nodiscard]] std::vector<LoopMatch> recognize(const RgbdFrame& images, const PointCloud& cloud);
+  /// Memory of the keyframes' features, words and index [bytes].
+  [[nodiscard]] std::size_t bytes() const { return detector_.bytes(); }
   /// The features and words of the last images; for several threads.
   [[nodiscard]] AppearanceCache& appearances() { return appearances_; }
   /// Judges one of the matches of the latest recognize(). `paths` starts at the newest keyframe.

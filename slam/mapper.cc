@@ -228,6 +228,12 @@ void Mapper::restore(const Map& map) {
   }
 }
 
+GraphStatistics Mapper::statistics() const {
+  GraphStatistics statistics = statistics_;
+  statistics.keyframe_bytes = map_.keyframes.bytes() + (loop_closing_ ? loop_closing_->bytes() : 0);
+  return statistics;
+}
+
 Map Mapper::to_map() const {
   return cvo_slam::to_map(map_, loop_closing_ ? &*loop_closing_ : nullptr, camera_);
 }

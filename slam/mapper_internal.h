@@ -86,7 +86,7 @@ class Mapper {
   [[nodiscard]] const PoseGraph& graph() const { return map_.graph.graph(); }
   /// Every pair that was tried, with its verdict.
   [[nodiscard]] const std::vector<LoopCandidate>& candidates() const { return candidates_; }
-  [[nodiscard]] const GraphStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] GraphStatistics statistics() const;
 
  private:
   void add_keyframe(const KeyframeInput& keyframe);

@@ -87,6 +87,7 @@ def test_observer(data: cvo_slam.Dataset) -> None:
         slam.track(frame)
     slam.finish()
     assert [record.index for record in records] == list(range(len(data)))
+    assert slam.statistics()["keyframe_bytes"] > 20_000 * len(slam.keyframes())
     for keyframe in slam.keyframes():
         assert np.array_equal(poses[keyframe.number], keyframe.T_world_camera)
 

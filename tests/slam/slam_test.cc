@@ -206,6 +206,7 @@ TEST_F(SlamOnSyntheticFrames, FinishMayBeCalledAgainAndTrackingMayGoOn) {
     EXPECT_EQ(slam.trajectory().poses.size(), kFrames) << "before the map has all keyframes";
     slam.finish();
     EXPECT_EQ(slam.statistics().full_solves, 2);
+    EXPECT_GT(slam.statistics().keyframe_bytes, 10'000 * slam.keyframes().size());
     EXPECT_LT(error(slam.trajectory()), 0.008) << "a pixel at 2 m";
   }
 }
