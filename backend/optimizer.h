@@ -24,6 +24,7 @@ enum class RobustLoss {
   kGnc,
 };
 
+/// What factorises the sparse matrix of each iteration (Cholesky).
 enum class LinearSolver {
   kSuiteSparse,  ///< CHOLMOD, supernodal where that is faster; calls BLAS
   kEigen,        ///< Eigen's simplicial LDLT; calls no BLAS, so that its version cannot matter
@@ -36,6 +37,7 @@ enum class Initialization {
   kChordal,  ///< the poses of chordal_initialization()
 };
 
+/// How a pose graph is optimised.
 struct OptimizerOptions {
   /// Loss of the edges that may be outliers (PoseGraphEdge::robust). kNone is right if every edge
   /// was verified, as the mapper does. Take kGnc for a graph with unverified loops: it takes many
@@ -45,12 +47,16 @@ struct OptimizerOptions {
   /// is the square root of chi-square's 99 % quantile with six degrees of freedom, 16.8. Raise it
   /// if the information matrices are too confident.
   double loss_scale = 4.1;
+  /// Factor by which kGnc makes the loss less convex between two solves, 1.05 to 100. The default
+  /// is the value of the paper.
   double gnc_factor = 1.4;
-  Initialization initialization = Initialization::kAuto;
-  LinearSolver solver = LinearSolver::kSuiteSparse;
+  Initialization initialization = Initialization::kAuto;  ///< where the search starts
+  LinearSolver solver =
+      LinearSolver::kSuiteSparse;  ///< how the matrix of an iteration is factorised
   /// Most iterations of one solve, 1 to 100000. A graph that needs more than twenty is
   /// ill-conditioned; lower it to bound the time of a solve.
   int max_iterations = 100;
+  /// A solve ends when an iteration lowers the cost by less than this share of it, 0 to 1.
   double cost_tolerance = 1e-7;
   /// Incremental use: nodes farther than this many edges from the newest node are held, unless a
   /// full solve is asked for [edges], 1 to 1000000. Larger windows spread corrections farther and
@@ -58,17 +64,18 @@ struct OptimizerOptions {
   int window = 20;
 };
 
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(OptimizerOptions& options);
 
 /// The result of an optimisation. Costs are half the sum of the edges' squared errors, with the
 /// loss applied to robust edges: what is minimised, in Ceres' convention (graph_cost()).
 struct Summary {
   double initial_cost = 0;  ///< at the poses that were given
-  double final_cost = 0;
-  int iterations = 0;  ///< of Ceres, over all solves except the rough ones of RobustLoss::kGnc
-  int solves = 0;      ///< more than one if RobustLoss::kGnc changed a decision at the end
-  bool converged = false;
-  std::string reason;            ///< why the search ended, in words
+  double final_cost = 0;    ///< at the poses that were found
+  int iterations = 0;       ///< of Ceres, over all solves except the rough ones of RobustLoss::kGnc
+  int solves = 0;           ///< more than one if RobustLoss::kGnc changed a decision at the end
+  bool converged = false;   ///< false if the last solve reached the limit of iterations or failed
+  std::string reason;       ///< why the search ended, in words
   bool started_chordal = false;  ///< true if the search started at the chordal poses
   std::vector<double> weights;   ///< of each edge, in [0, 1]; below 0.5 the edge is rejected
   double seconds = 0;            ///< wall time

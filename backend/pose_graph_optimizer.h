@@ -24,13 +24,15 @@ class PoseGraphOptimizer {
   /// Throws OptionError if an option is out of range.
   explicit PoseGraphOptimizer(const OptimizerOptions& options = {});
 
-  /// The following change the graph as the functions of PoseGraph with the same names do.
+  ///@{
+  /// Changes the graph as the function of PoseGraph with the same name does.
   void add_node(const PoseGraphNode& node) { graph_.add_node(node); }
   void add_edge(const PoseGraphEdge& edge);
   void remove_edge(std::size_t index);
   void set_pose(std::size_t index, const SE3& T_world_node) {
     graph_.set_pose(index, T_world_node);
   }
+  ///@}
 
   /// Optimises the graph. The newest node is the one added last. The time of a window depends on
   /// the size of the window, not of the graph (apart from copying the list of weights); its search
@@ -38,6 +40,7 @@ class PoseGraphOptimizer {
   /// summary are those of the edges of free nodes; the weights are those of all edges of the graph.
   Summary optimize(OptimizationScope scope = OptimizationScope::kWindow);
 
+  /// Returns the graph with its present poses.
   [[nodiscard]] const PoseGraph& graph() const { return graph_; }
   /// Weight of each edge in the last optimisation that included it (Summary::weights); 1 before.
   [[nodiscard]] const std::vector<double>& weights() const { return weights_; }

@@ -27,8 +27,8 @@ struct AssociationOptions {
 /// A pose of the estimate and the pose of the reference at the same time.
 struct MatchedPose {
   Timestamp stamp;  ///< the estimate's, with the time offset
-  SE3 reference;
-  SE3 estimate;
+  SE3 reference;    ///< the reference's pose, in the world of the reference
+  SE3 estimate;     ///< the estimate's pose, in the world of the estimate
 };
 
 /// Returns the matched poses in ascending order of stamps. Without interpolation each pose of the

@@ -57,8 +57,8 @@ struct PinholeCamera {
 
 /// A separate depth camera, for sensors whose depth images are not registered to colour.
 struct DepthCamera {
-  PinholeCamera pinhole;
-  SE3 T_color_depth;
+  PinholeCamera pinhole;  ///< its image is the depth image as the sensor gives it
+  SE3 T_color_depth;      ///< pose of the depth camera in the frame of the colour camera [m]
 };
 
 /// The noise model of a sensor: the standard deviations of its measurements. The defaults are those
@@ -79,16 +79,16 @@ struct SensorNoise {
 /// the images.
 struct Camera {
   std::string name = "default";  ///< for messages and reports
-  PinholeCamera color;
-  double depth_scale = 5000.0;  ///< units of the 16-bit depth image per metre
+  PinholeCamera color;           ///< the colour camera, to which depth is registered
+  double depth_scale = 5000.0;   ///< units of the 16-bit depth image per metre
   /// Time that a rolling shutter takes from the first row to the last [s]; the stamp is the middle
   /// row's. 0 for a global shutter.
   double readout_time = 0;
   /// What is added to the stamps of depth images to get the time of the colour camera's clock [s],
   /// at most a million; -0.019 if they are 19 ms late. Empty = not known, taken as 0.
   std::optional<double> depth_offset;
-  std::optional<DepthCamera> depth;
-  SensorNoise noise;
+  std::optional<DepthCamera> depth;  ///< empty = depth images are registered to colour
+  SensorNoise noise;                 ///< how accurate depths and feature positions are
 
   /// Throws OptionError if a value is impossible: of one of its pinhole cameras, a depth scale that
   /// is not in [1, 1e6], or cameras that are more than 2 m apart.

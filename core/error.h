@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+/// RGB-D SLAM with Continuous Visual Odometry. Slam (slam/slam.h) is the place to start.
 namespace cvo_slam {
 
 /// Base class of every exception that this library throws. what() is one line that says what is
@@ -19,8 +20,9 @@ class Error : public std::runtime_error {
 /// known.
 class InputError : public Error {
  public:
+  /// what() is "file: problem".
   InputError(const std::filesystem::path& file, const std::string& problem);
-  /// `line` counts from 1.
+  /// what() is "file:line: problem"; `line` counts from 1.
   InputError(const std::filesystem::path& file, long line, const std::string& problem);
 };
 
@@ -40,6 +42,7 @@ class DataError : public Error {
 /// A file cannot be written (permissions, full disk).
 class OutputError : public Error {
  public:
+  /// what() is "file: problem".
   OutputError(const std::filesystem::path& file, const std::string& problem);
 };
 

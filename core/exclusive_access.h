@@ -30,6 +30,7 @@ class ExclusiveAccess {
   ExclusiveAccess(const ExclusiveAccess&) = delete;
   ExclusiveAccess& operator=(const ExclusiveAccess&) = delete;
 
+  /// Gives access to the members of `Impl`.
   Impl* operator->() const { return impl_; }
 
  private:

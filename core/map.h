@@ -49,19 +49,19 @@ struct MapPoint {
 /// What a map remembers of a keyframe so that images can be recognised in it and registered to it.
 struct KeyframeMemory {
   std::size_t number = 0;  ///< the id of its node in the graph
-  Timestamp stamp;
-  int submap = 0;        ///< in which it was tracked; edges may join it with others
-  std::string points;    ///< its cloud, as bytes that slam/ makes and reads
-  std::string features;  ///< its ORB features, likewise; empty if places are not recognised
+  Timestamp stamp;         ///< stamp of its colour image
+  int submap = 0;          ///< in which it was tracked; edges may join it with others
+  std::string points;      ///< its cloud, as bytes that slam/ makes and reads
+  std::string features;    ///< its ORB features, likewise; empty if places are not recognised
 };
 
 /// What Slam needs besides the graph to go on from a map.
 struct MapMemory {
-  Camera camera;
+  Camera camera;                          ///< the camera that the map was made with
   std::vector<KeyframeMemory> keyframes;  ///< in the order of the graph's nodes
-  /// Sum and number of cos_theta over the registrations of consecutive keyframes.
+  /// Sum of cos_theta over the registrations of consecutive keyframes.
   double cos_theta_sum = 0;
-  std::size_t cos_theta_count = 0;
+  std::size_t cos_theta_count = 0;  ///< number of registrations in that sum
   /// crc32_of() the bytes of the vocabulary that the map was made with; 0 if none was. Another
   /// one serves too: words are made of the features when the map is read.
   std::uint32_t vocabulary = 0;
@@ -74,7 +74,7 @@ struct Map {
   std::vector<StampedPose> keyframes;
   /// Node i is keyframe i and has its pose. Without nodes if nothing but the poses is known.
   PoseGraph graph;
-  std::vector<MapPoint> points;
+  std::vector<MapPoint> points;  ///< the surface; empty if it was not computed (fuse_points())
   Vector3 points_origin = Vector3::Zero();  ///< added to the points' positions [m]
   /// Empty in a map that only serves pictures.
   std::optional<MapMemory> memory = std::nullopt;
@@ -82,25 +82,31 @@ struct Map {
 
 /// How the points of a map are computed from frames.
 struct FusionOptions {
-  int pixel_step = 3;
+  int pixel_step = 3;  ///< step between pixels used, along rows and columns [px], 1 to 64
   /// Edge length of the voxels, each of which leaves one point [m], 1 mm to 10 m. 2 cm is the depth
   /// noise of a Kinect at 3 m. Smaller shows more detail of near surfaces and takes more memory;
   /// larger suits wide outdoor scenes.
   double voxel_size = 0.02;
+  /// Least number of pixels that must have seen a voxel, 1 to 1000; with fewer it leaves no point.
   int min_samples = 2;
   /// Pixels with a larger depth are left out [m], 0.1 to 1000. A Kinect's depth has steps of 3 cm
   /// at 4 m. Raise it for a sensor that is accurate farther away.
   double max_depth = 4;
+  /// Largest difference between the depths of neighbouring pixels on the same surface, as a share
+  /// of the depth, 0.001 to 1.
   double max_jump = 0.05;
+  /// Least cosine of the angle between viewing ray and normal, 0 to 1. Surfaces seen at a more
+  /// grazing angle are left out.
   double min_cosine = 0.15;
 };
 
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(FusionOptions& options);
 
 /// The pixels of a frame that fusion uses: small enough to be kept for every keyframe until its
 /// pose is final.
 struct SampledFrame {
-  Timestamp stamp;
+  Timestamp stamp;     ///< stamp of the colour image
   int pixel_step = 1;  ///< pixel (u, v) here is pixel step * (u, v) + step / 2 of the frame
   cv::Mat color;       ///< as RgbdFrame::color
   cv::Mat depth;       ///< as RgbdFrame::depth
@@ -112,8 +118,8 @@ struct SampledFrame {
 
 /// A sampled frame and its pose.
 struct PosedFrame {
-  SampledFrame frame;
-  SE3 T_world_camera;
+  SampledFrame frame;  ///< its pixels
+  SE3 T_world_camera;  ///< pose in the world that the points are for
 };
 
 /// Returns the surface that the frames saw: for each voxel the mean of the points in it, weighted

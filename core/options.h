@@ -14,8 +14,8 @@ namespace cvo_slam {
 /// Closed interval of permitted values.
 template <typename T>
 struct Range {
-  T min = std::numeric_limits<T>::lowest();
-  T max = std::numeric_limits<T>::max();
+  T min = std::numeric_limits<T>::lowest();  ///< the default is no limit
+  T max = std::numeric_limits<T>::max();     ///< the default is no limit
 };
 
 /// One option of an options struct, with its type erased, for YAML readers, `--set`, help pages and
@@ -25,6 +25,7 @@ struct Option {
   std::string unit;     ///< "m", "rad", "px", ... or empty
   std::string allowed;  ///< range or choices, for people
   std::string doc;      ///< what the option means, in one or two sentences
+  /// Returns the present value as a text that `set` accepts.
   std::function<std::string()> get;
   /// Parses and stores a value; throws OptionError if the text is not a permitted value.
   std::function<void(std::string_view)> set;
@@ -33,24 +34,31 @@ struct Option {
 /// The options of a struct by name. Each options struct has one function
 /// `OptionSet describe(Struct&)` which lists its members once; YAML files, `--set key=value`,
 /// range checks, `--dump-config` and the manual's tables are all made from that list.
-/// The set refers to the described struct, which must outlive it.
+/// The set refers to the described struct, which must outlive it. Each add() returns the set.
 class OptionSet {
  public:
   /// Texts and values of an enumeration.
   template <typename E>
   using Choices = std::vector<std::pair<std::string, E>>;
 
+  /// Adds an option that is true or false.
   OptionSet& add(const std::string& key, bool& value, std::string doc);
+  ///@{
+  /// Adds a number; `unit` is empty if it has none.
   OptionSet& add(const std::string& key, int& value, Range<int> range, std::string unit,
                  std::string doc);
   OptionSet& add(const std::string& key, double& value, Range<double> range, std::string unit,
                  std::string doc);
+  ///@}
+  ///@{
   /// Adds a list, which is written "[a, b, c]" and must not be empty; `range` holds for each
   /// element.
   OptionSet& add(const std::string& key, std::vector<int>& value, Range<int> range,
                  std::string unit, std::string doc);
   OptionSet& add(const std::string& key, std::vector<double>& value, Range<double> range,
                  std::string unit, std::string doc);
+  ///@}
+  /// Adds a value of an enumeration, which is written as its text in `choices`.
   template <typename E>
   OptionSet& add(const std::string& key, E& value, Choices<E> choices, const std::string& doc);
   /// Adds all options of a nested struct, their keys prefixed by "prefix.".
@@ -61,10 +69,12 @@ class OptionSet {
   /// good results: their keys start with "expert.", before all prefixes.
   OptionSet& expert();
 
+  /// Returns the options in the order in which they were added.
   [[nodiscard]] const std::vector<Option>& options() const& { return options_; }
   /// Returns the options of a temporary set by value, so that `for (... : describe(x).options())`
   /// does not dangle.
   [[nodiscard]] std::vector<Option> options() && { return std::move(options_); }
+  /// Returns the value of an option as text. Throws OptionError for an unknown key.
   [[nodiscard]] std::string get(std::string_view key) const;
   /// Sets an option from a text. Throws OptionError for an unknown key (the message names a near
   /// one) or a bad value.

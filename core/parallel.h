@@ -16,9 +16,13 @@ class Executor {
   /// `threads` >= 1; with 1 everything runs in the calling thread.
   explicit Executor(int threads = 1);
   ~Executor();
+  ///@{
+  /// Takes over the threads of `other`, which runs its loops in the calling thread from then on.
   Executor(Executor&& other) noexcept;
   Executor& operator=(Executor&& other) noexcept;
+  ///@}
 
+  /// Returns the largest number of threads that a loop runs on, at least 1.
   [[nodiscard]] int threads() const { return threads_; }
 
   /// Calls f(chunk, begin, end) for each chunk of [0, n), in any order, and returns when all are
@@ -31,6 +35,7 @@ class Executor {
         });
   }
 
+  /// Returns the number of chunks of a range: n / chunk_size, rounded up.
   [[nodiscard]] static std::size_t chunk_count(std::size_t n, std::size_t chunk_size) {
     return (n + chunk_size - 1) / chunk_size;
   }

@@ -24,9 +24,16 @@ struct PointCloud {
   /// blue, green, red, dI/dx, dI/dy, on the scale of 8-bit values.
   static constexpr std::size_t kFeatures = 5;
 
-  std::vector<float> x, y, z;  ///< position in the camera frame [m]
+  ///@{
+  /// Coordinate of each position in the camera frame [m].
+  std::vector<float> x, y, z;
+  ///@}
+  /// Feature f of point i is features[f][i].
   std::array<std::vector<float>, kFeatures> features;
-  std::vector<float> u, v;  ///< pixel the point was seen at [px]
+  ///@{
+  /// Column (u) or row (v) of the pixel that each point was seen at [px].
+  std::vector<float> u, v;
+  ///@}
   /// Standard deviation of each position along the ray from the origin [m]; empty = none known.
   std::vector<float> ray_noise;
   /// The surface around each point; empty = none known.
@@ -35,11 +42,17 @@ struct PointCloud {
   /// over z^2 [1/m]. A Kinect shows 0.0012 to 0.0016. Infinity = not known.
   float surface_noise = std::numeric_limits<float>::infinity();
 
+  /// Returns the number of points.
   [[nodiscard]] std::size_t size() const { return x.size(); }
+  /// Returns true if there are no points.
   [[nodiscard]] bool empty() const { return x.empty(); }
+  /// Returns the position of point i in the camera frame [m].
   [[nodiscard]] Vector3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
 
+  /// Removes all points and keeps the memory.
   void clear() { resize(0); }
+  /// Sets the number of points; all values of new ones are zero. `ray_noise` and `surfaces` stay
+  /// empty if they are.
   void resize(std::size_t n) {
     for (auto* array : {&x, &y, &z, &u, &v}) array->resize(n);
     for (auto& feature : features) feature.resize(n);
@@ -51,6 +64,7 @@ struct PointCloud {
 /// The part of space that a camera sees, whatever stands in between.
 class FieldOfView {
  public:
+  /// `camera` is copied.
   explicit FieldOfView(const PinholeCamera& camera);
 
   /// Returns true if a point of the camera frame [m], more than 0.1 m in front of the camera, lies

@@ -15,12 +15,14 @@ namespace cvo_slam {
 /// The number of a node, chosen by the caller; numbers need not count from 0.
 using NodeId = std::int64_t;
 
+/// A pose that optimisation estimates: that of a keyframe.
 struct PoseGraphNode {
-  NodeId id = 0;
-  SE3 T_world_node;
+  NodeId id = 0;       ///< no other node of the graph has it
+  SE3 T_world_node;    ///< where optimisation starts, and later its result
   bool fixed = false;  ///< true if optimisation must not move the node
 };
 
+/// How the pair of nodes of an edge was found. Optimisation does not depend on it.
 enum class EdgeKind {
   kOdometry,   ///< between consecutive keyframes
   kProximity,  ///< between keyframes that are near one another in the graph
@@ -29,13 +31,13 @@ enum class EdgeKind {
 
 /// A measurement of one node's pose relative to another's.
 struct PoseGraphEdge {
-  NodeId from = 0;
-  NodeId to = 0;
-  SE3 T_from_to;
+  NodeId from = 0;  ///< id of the node in whose frame the measurement is
+  NodeId to = 0;    ///< id of the node whose pose was measured
+  SE3 T_from_to;    ///< the measured pose
   /// Inverse covariance of between_residual() [1/m^2, 1/(m rad), 1/rad^2]; symmetric and positive
   /// semi-definite. edge_information() computes it from that of a right perturbation.
   Matrix6 information = Matrix6::Identity();
-  EdgeKind kind = EdgeKind::kOdometry;
+  EdgeKind kind = EdgeKind::kOdometry;  ///< how the pair of nodes was found
   /// True if the measurement may be an outlier. The robust loss applies to these edges only.
   bool robust = false;
 };
@@ -54,7 +56,9 @@ class PoseGraph {
   /// time in proportion to the graph. Throws DataError if there is no such edge.
   void remove_edge(std::size_t index);
 
+  /// Returns the nodes in the order in which they were added.
   [[nodiscard]] const std::vector<PoseGraphNode>& nodes() const { return nodes_; }
+  /// Returns the edges in the order in which they were added.
   [[nodiscard]] const std::vector<PoseGraphEdge>& edges() const { return edges_; }
   /// Indices in nodes() of the two ends (from, to) of each edge.
   [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& ends() const {
@@ -65,6 +69,7 @@ class PoseGraph {
     return edges_of_node_.at(node);
   }
 
+  /// Returns true if a node has this id.
   [[nodiscard]] bool has_node(NodeId id) const { return index_.contains(id); }
   /// Returns true if an edge leads from one node to the other. Takes time in proportion to the
   /// edges of one of them. Throws DataError if a node is unknown.

@@ -8,8 +8,11 @@
 
 namespace cvo_slam {
 
+/// A position, a direction or a rotation vector.
 using Vector3 = Eigen::Vector3d;
+/// A tangent vector [translation; rotation]; unaligned as Matrix6 is.
 using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+/// A rotation, or another 3x3 matrix.
 using Matrix3 = Eigen::Matrix3d;
 /// Unaligned on purpose: the layout of public structs must not depend on the embedder's -m flags.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
@@ -48,17 +51,24 @@ class SE3 {
                              const Vector3& translation);
   /// Rounds the upper left 3x3 block to the nearest rotation (SVD).
   static SE3 from_matrix(const Eigen::Matrix4d& matrix);
+  /// Returns the exponential of a tangent vector; the inverse of log().
   static SE3 exp(const Vector6& tangent);
 
+  /// Returns the rotation matrix, orthonormal up to rounding.
   [[nodiscard]] const Matrix3& rotation() const { return rotation_; }
+  /// Returns the position of the origin of frame b in frame a [m].
   [[nodiscard]] const Vector3& translation() const { return translation_; }
   /// Returns the unit quaternion (x, y, z, w) with w >= 0.
   [[nodiscard]] Eigen::Vector4d quaternion() const;
+  /// Returns the homogeneous matrix; its last row is 0, 0, 0, 1.
   [[nodiscard]] Eigen::Matrix4d matrix() const;
   /// Returns the rotation angle in [0, pi] [rad].
   [[nodiscard]] double angle() const;
 
+  /// Returns T_b_a of T_a_b.
   [[nodiscard]] SE3 inverse() const;
+  /// Returns the tangent vector whose exponential is this pose; its rotation part is at most pi
+  /// long.
   [[nodiscard]] Vector6 log() const;
   /// Returns the matrix Ad with T exp(xi) T^-1 = exp(Ad xi).
   [[nodiscard]] Matrix6 adjoint() const;
@@ -66,9 +76,11 @@ class SE3 {
   /// over long products.
   [[nodiscard]] SE3 normalized() const;
 
+  /// Returns T_a_c of T_a_b and `other`, T_b_c.
   SE3 operator*(const SE3& other) const {
     return {rotation_ * other.rotation_, rotation_ * other.translation_ + translation_};
   }
+  /// Returns a point of frame b in frame a.
   Vector3 operator*(const Vector3& point) const { return rotation_ * point + translation_; }
 
  private:
@@ -76,8 +88,9 @@ class SE3 {
   Vector3 translation_ = Vector3::Zero();
 };
 
-/// The exponential and the logarithm of SO(3); |log| <= pi.
+/// Returns the exponential of SO(3): the rotation about the axis w by the angle |w| [rad].
 Matrix3 so3_exp(const Vector3& w);
+/// Returns the logarithm of SO(3): the rotation vector [rad], at most pi long.
 Vector3 so3_log(const Matrix3& rotation);
 
 /// Returns the pose at `s` on the geodesic from a (s = 0) to b (s = 1): a exp(s log(a^-1 b)).

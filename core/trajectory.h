@@ -12,14 +12,14 @@ namespace cvo_slam {
 
 /// The pose of a camera at a time.
 struct StampedPose {
-  Timestamp stamp;
-  SE3 T_world_camera;
+  Timestamp stamp;     ///< when the camera was there
+  SE3 T_world_camera;  ///< where it was, in the world of its trajectory
 };
 
 /// A frame without a pose, and the reason.
 struct LostFrame {
-  Timestamp stamp;
-  std::string reason;
+  Timestamp stamp;     ///< stamp of its colour image
+  std::string reason;  ///< why it has no pose, in words
 };
 
 /// The path of a camera.

@@ -16,16 +16,16 @@
 namespace cvo_slam {
 
 /// The figures usually reported for a list of errors, in the unit of the errors (sse: its square).
-/// All figures of an empty list are NaN.
+/// All figures of an empty list but the count are NaN.
 struct Statistics {
-  std::size_t count = 0;
-  double rmse = std::numeric_limits<double>::quiet_NaN();
-  double mean = std::numeric_limits<double>::quiet_NaN();
+  std::size_t count = 0;                                   ///< number of errors
+  double rmse = std::numeric_limits<double>::quiet_NaN();  ///< root of the mean squared error
+  double mean = std::numeric_limits<double>::quiet_NaN();  ///< arithmetic mean
   /// For an even count, the mean of the two middle values.
   double median = std::numeric_limits<double>::quiet_NaN();
   double std = std::numeric_limits<double>::quiet_NaN();  ///< of the population: divided by count
-  double min = std::numeric_limits<double>::quiet_NaN();
-  double max = std::numeric_limits<double>::quiet_NaN();
+  double min = std::numeric_limits<double>::quiet_NaN();  ///< smallest error
+  double max = std::numeric_limits<double>::quiet_NaN();  ///< largest error
   double sse = std::numeric_limits<double>::quiet_NaN();  ///< sum of squared errors
 };
 
@@ -38,11 +38,12 @@ struct Statistics {
 
 /// The error of one pose, or of one pair of poses.
 struct PoseError {
-  Timestamp stamp;
+  Timestamp stamp;         ///< stamp of the pose, or of the later pose of the pair
   double translation = 0;  ///< [m]
   double rotation = 0;     ///< [rad]
 };
 
+/// The statistics of both parts of the errors.
 struct PoseErrorStatistics {
   Statistics translation;  ///< [m]
   Statistics rotation;     ///< [rad]
@@ -60,8 +61,8 @@ enum class Alignment {
 
 /// A similarity transformation: p_reference = R * (scale * p_estimate) + t.
 struct Similarity {
-  SE3 T_reference_estimate;
-  double scale = 1;
+  SE3 T_reference_estimate;  ///< R and t
+  double scale = 1;          ///< 1 unless the alignment is kSim3
 
   /// Returns a camera pose in the reference's world: the position is scaled, rotated and moved, the
   /// orientation is rotated.
@@ -83,9 +84,9 @@ struct Similarity {
 /// Absolute trajectory error (ATE; evo calls it APE): the distance of an estimate from the
 /// reference as a whole.
 struct AbsoluteTrajectoryError {
-  Similarity alignment;           ///< applied to the estimate
-  std::vector<PoseError> errors;  ///< one per match, with the stamp of the match
-  PoseErrorStatistics statistics;
+  Similarity alignment;            ///< applied to the estimate
+  std::vector<PoseError> errors;   ///< one per match, with the stamp of the match
+  PoseErrorStatistics statistics;  ///< summary of the errors
 };
 
 /// Returns the ATE of poses matched by associate(): with E = T_reference^-1 T_estimate after
@@ -114,7 +115,7 @@ enum class RelativeErrorKind {
 /// Which pairs of poses are compared, and how.
 struct RelativePoseOptions {
   double delta = 1;  ///< distance of the poses of a pair, > 0; a whole number of frames
-  DeltaUnit unit = DeltaUnit::kSeconds;
+  DeltaUnit unit = DeltaUnit::kSeconds;  ///< unit of delta
   /// If true, a pair starts at every pose; otherwise where the last pair ended.
   bool all_pairs = true;
   /// With all pairs over metres: the largest share of delta by which a pair may miss it.
@@ -122,6 +123,7 @@ struct RelativePoseOptions {
   /// Over seconds: by how much a pair may be longer than delta [s]. A larger difference means lost
   /// frames.
   double time_tolerance = 0.05;
+  /// How the two relative motions of a pair are compared.
   RelativeErrorKind kind = RelativeErrorKind::kRelativePose;
 };
 
@@ -144,8 +146,8 @@ struct RelativePoseOptions {
 
 /// Relative pose error (RPE): the drift over a distance delta.
 struct RelativePoseError {
-  std::vector<PoseError> errors;  ///< one per pair, with the stamp of its later pose
-  PoseErrorStatistics statistics;
+  std::vector<PoseError> errors;   ///< one per pair, with the stamp of its later pose
+  PoseErrorStatistics statistics;  ///< summary of the errors
 };
 
 /// Returns the RPE of poses matched by associate(). Throws DataError if no two poses are delta

@@ -34,7 +34,7 @@ struct KernelEntry {
 
 /// Measures of how well two clouds match at a pose and a length scale.
 struct CloudSimilarity {
-  double inner_product = 0;  ///< <f_X, h.f_Z> = sum c k
+  double inner_product = 0;  ///< `<f_X, h.f_Z>` = sum c k
   double cos_theta = 0;      ///< inner_product / (|f_X| |f_Z|), in [0, 1]; 0 if a norm is 0
   double overlap = 0;        ///< share of the moving points with an entry in the kernel matrix
   std::size_t entries = 0;   ///< number of entries of the kernel matrix
@@ -63,6 +63,7 @@ class StepCurve {
   /// Returns the smallest positive stationary point of the expansion up to t^order, 2 to 4, or the
   /// fallback step if there is none; in the time of the flow with its factor 1 / ell^2.
   [[nodiscard]] double step(int order = 4) const;
+  /// Returns the length scale [m] that the curve was made for.
   [[nodiscard]] double length_scale() const { return length_scale_; }
   /// False if there is no pair or no gradient: then the curve is zero.
   [[nodiscard]] bool has_slope() const { return coefficients_[0] > 0; }

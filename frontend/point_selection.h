@@ -22,6 +22,7 @@ enum class SelectionMethod {
   kEdges,     ///< pixels on Canny edges: the paper's choice
 };
 
+/// How the points of a frame are selected.
 struct SelectionOptions {
   /// Least depth of a point [m]. 0.3 excludes what a Kinect reports closer than it can see; lower
   /// it for sensors with a short range.
@@ -29,30 +30,37 @@ struct SelectionOptions {
   /// Largest depth of a point [m]. A Kinect's error grows with the square of the depth and reaches
   /// the finest length scale at 6 m; raise it for sensors with a longer range.
   double max_depth = 6.0;
-  SelectionMethod method = SelectionMethod::kGradient;
-  double min_gradient = 4.0;     ///< [8-bit values a pixel]
-  double weak_gradient = 3.0;    ///< replaces min_gradient in images with few gradients
-  int few_pixels = 200;          ///< number of pixels below which an image has few gradients
+  SelectionMethod method = SelectionMethod::kGradient;  ///< which pixels may become points
+  double min_gradient = 4.0;   ///< least gradient of a point [8-bit values a pixel]
+  double weak_gradient = 3.0;  ///< replaces min_gradient in images with few gradients
+  int few_pixels = 200;  ///< number of 4x4 cells with a candidate below which gradients are few
   double noise_gradient = 2.0;   ///< least gradient, in standard deviations of the image noise
   double max_depth_step = 0.05;  ///< largest step to a neighbour, as a share of the depth
 };
 
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(SelectionOptions& options);
 
 /// A pixel that may become a point.
 struct PixelCandidate {
-  std::uint16_t u, v;      ///< [px]
+  ///@{
+  /// Column (u) or row (v) of the pixel [px].
+  std::uint16_t u, v;
+  ///@}
   std::int32_t gradient2;  ///< squared gradient magnitude, on Sobel's scale
 };
 
 /// A frame with all that selecting its points needs. PointSelector::prepare() makes it once a
 /// frame; the pictures in it are copies that nobody else writes to.
 struct PreparedFrame {
-  RgbdFrame images;
+  RgbdFrame images;  ///< the frame, with copies of its images
   /// Factor by which the image is brighter than the first one of the sequence because of the
   /// camera's exposure. select() divides the colours by it.
   double exposure_gain = 1;
-  cv::Mat dx, dy;                          ///< Sobel's gradients, CV_16SC1
+  ///@{
+  /// Sobel's gradient of the grey image along the rows (dx) or the columns (dy), CV_16SC1.
+  cv::Mat dx, dy;
+  ///@}
   std::vector<PixelCandidate> candidates;  ///< a fixed number of places a bucket, strongest first
   std::vector<std::uint8_t> counts;        ///< number of candidates of each bucket
 };
@@ -63,6 +71,7 @@ struct PreparedFrame {
 /// prefix of a cloud is evenly spread too. One object serves the frames of one camera.
 class PointSelector {
  public:
+  /// Camera and options are copied; they are not checked.
   PointSelector(const Camera& camera, const SelectionOptions& options);
 
   /// Copies a frame, whose images must be of the camera's size (see check_images()), and ranks its

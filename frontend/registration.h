@@ -16,20 +16,21 @@ namespace cvo_slam {
 
 /// The inner product of the labels of two points.
 enum class ColorKernel {
-  kLinear,              ///< 1e-5 <rgb, rgb>: the paper's choice
+  kLinear,              ///< `1e-5 <rgb, rgb>`: the paper's choice
   kSquaredExponential,  ///< exp(-|d color|^2 / (2 s_c^2) - |d gradient|^2 / (2 s_g^2))
 };
 
 /// The kernels of the function space: k(x, y) = sigma^2 exp(-|x - y|^2 / (2 ell^2)) on positions,
 /// and the inner product c of labels. A pair of points weighs c k.
 struct KernelOptions {
+  /// Amplitude of the position kernel; only sigma^2 / sparsification matters.
   double sigma = 0.1;
   /// Least value of k that counts, so that pairs further apart than
   /// ell sqrt(2 ln(sigma^2 / sparsification)) need not be looked at.
   double sparsification = 1e-3;
-  ColorKernel color_kernel = ColorKernel::kSquaredExponential;
-  double color_scale = 60.0;     ///< s_c, on 8-bit values
-  double gradient_scale = 60.0;  ///< s_g, on 8-bit values a pixel
+  ColorKernel color_kernel = ColorKernel::kSquaredExponential;  ///< how labels are compared
+  double color_scale = 60.0;                                    ///< s_c, on 8-bit values
+  double gradient_scale = 60.0;                                 ///< s_g, on 8-bit values a pixel
   /// Factor on PointCloud::ray_noise of the moving points. The kernel is longer along a point's ray
   /// d: its covariance is ell^2 I + (factor noise)^2 d d^T. 0 = it is not.
   double ray_noise = 0.4;
@@ -45,6 +46,7 @@ struct KernelOptions {
 [[nodiscard]] double label_product(const KernelOptions& options, const PointCloud& a, std::size_t i,
                                    const PointCloud& b, std::size_t j);
 
+/// How the pose of largest objective is searched.
 enum class Solver {
   kFlow,    ///< the paper's gradient flow on SE(3)
   kNewton,  ///< second-order steps on the same objective
@@ -61,6 +63,7 @@ struct FlowConstants {
   double min_gradient = 5e-5;  ///< a flow without 1/ell^2 that is slower in both parts has ended
 };
 
+/// How a cloud is registered to another one.
 struct RegistrationOptions {
   /// Length scales of the position kernel [m], run one after the other for every pair of clouds,
   /// coarse to fine. The first reaches motions that the prediction misses by a decimetre; below the
@@ -73,8 +76,8 @@ struct RegistrationOptions {
   /// Length scale at which overlap and cos_theta are measured, with a ball, or the finest one if
   /// that is longer [m]: so they mean the same whatever the kernel.
   double judged_length_scale = 0.015;
-  Solver solver = Solver::kNewton;
-  KernelOptions kernel;
+  Solver solver = Solver::kNewton;  ///< how the pose is searched
+  KernelOptions kernel;             ///< what makes two points similar
   /// Largest number of iterations at each length scale; the last entry holds for the scales after
   /// it.
   std::vector<int> max_iterations = {5, 5, 5, 10};
@@ -85,33 +88,39 @@ struct RegistrationOptions {
   double coarse_tolerance = 0.1;  ///< the same at coarse scales, as a share of the next scale
   double depth_noise = 2.2;       ///< factor on PointCloud::ray_noise, for the covariance
   double information_scale = 3;   ///< factor of the information before the depth noise
-  FlowConstants flow;
+  FlowConstants flow;             ///< used by Solver::kFlow only
 };
 
+///@{
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(KernelOptions& options);
 [[nodiscard]] OptionSet describe(RegistrationOptions& options);
+///@}
 
 /// Throws OptionError if options that are each in range contradict one another, or a constant of
 /// the flow is impossible.
 void check_consistency(const RegistrationOptions& options);
 
+/// How a registration ended.
 enum class RegistrationStatus {
-  kConverged,
+  kConverged,       ///< the last step was below the tolerance
   kIterationLimit,  ///< usable, but the last step was not below the tolerance
   kFailed,          ///< no pose: see reason
 };
 
+/// The pose of a cloud in the frame of another one, and how far it can be trusted.
 struct RegistrationResult {
-  SE3 T_fixed_moving;
-  RegistrationStatus status = RegistrationStatus::kFailed;
-  std::string reason;  ///< why it ended as it did, in words
-  int iterations = 0;  ///< over all length scales
-  /// sum c max(k - sparsification, 0) at the final pose and length scale.
+  SE3 T_fixed_moving;  ///< pose that maps the moving cloud onto the fixed one; if failed, the start
+  RegistrationStatus status = RegistrationStatus::kFailed;  ///< how the search ended
+  std::string reason;                                       ///< why it ended as it did, in words
+  int iterations = 0;                                       ///< over all length scales
+  /// Sum of c max(k - sparsification, 0) over the pairs of points, at the final pose and length
+  /// scale.
   double objective = 0;
   /// Share of the moving points with a fixed point inside the kernel's support at the judged length
   /// scale, in [0, 1].
   double overlap = 0;
-  /// <f_X, h.f_Z> / (|f_X| |f_Z|) at the judged length scale, in [0, 1].
+  /// `<f_X, h.f_Z> / (|f_X| |f_Z|)` at the judged length scale, in [0, 1].
   double cos_theta = 0;
   /// Covariance of a right perturbation of T_fixed_moving, tangent order [translation; rotation];
   /// positive definite. It is the inverse of the negative second derivative of the objective,
@@ -124,8 +133,8 @@ struct RegistrationResult {
 
 /// The state of a registration before its last length scale.
 struct Approach {
-  SE3 T_fixed_moving;
-  int iterations = 0;
+  SE3 T_fixed_moving;  ///< the pose found so far
+  int iterations = 0;  ///< over all length scales so far
 };
 
 /// Registration to one fixed cloud: neighbour search is prepared once per length scale and serves
@@ -136,8 +145,11 @@ class Registration {
   /// Throws OptionError if an option is out of range.
   explicit Registration(const RegistrationOptions& options = {}, int threads = 1);
   ~Registration();
+  ///@{
+  /// Takes over the state of `other`, whose functions throw UsageError from then on.
   Registration(Registration&& other) noexcept;
   Registration& operator=(Registration&& other) noexcept;
+  ///@}
 
   /// Makes `fixed` the cloud that others are aligned to. It is copied.
   void set_fixed(const PointCloud& fixed);

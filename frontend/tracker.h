@@ -21,14 +21,14 @@ namespace cvo_slam {
 
 /// What a frame is registered to.
 enum class Reference {
-  kKeyframe,
+  kKeyframe,       ///< the current keyframe
   kPreviousFrame,  ///< the paper's choice
 };
 
 /// Where a registration starts.
 enum class Prediction {
-  kConstantVelocity,
-  kIdentity,  ///< the pose of the keyframe: the paper's choice
+  kConstantVelocity,  ///< the pose that the last velocity leads to
+  kIdentity,          ///< the pose of the keyframe: the paper's choice
 };
 
 /// When a tracked frame becomes the next keyframe: when one of the three limits is passed.
@@ -67,6 +67,7 @@ struct LostOptions {
   int restart_after = 10;
 };
 
+/// How a camera is tracked.
 struct TrackerOptions {
   /// Number of points of a frame. Twice as many cost twice the time and gain nothing; lower it for
   /// slow machines.
@@ -88,18 +89,21 @@ struct TrackerOptions {
   /// by one factor, of more than 15 %, since the frame before. Switch it off for cameras with a
   /// fixed exposure, where only the light can do that.
   bool compensate_exposure = true;
-  Reference reference = Reference::kKeyframe;
-  Prediction prediction = Prediction::kConstantVelocity;
+  Reference reference = Reference::kKeyframe;             ///< what a frame is registered to
+  Prediction prediction = Prediction::kConstantVelocity;  ///< where a registration starts
   int recovery_scales = 1;  ///< coarsest length scales that serve only after a failed registration
-  SelectionOptions selection;
-  RegistrationOptions registration;
-  KeyframeOptions keyframe;
-  LostOptions lost;
+  SelectionOptions selection;        ///< which pixels become points
+  RegistrationOptions registration;  ///< how a frame is registered
+  KeyframeOptions keyframe;          ///< when a frame becomes the next keyframe
+  LostOptions lost;                  ///< when a frame counts as lost
 };
 
+///@{
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(KeyframeOptions& options);
 [[nodiscard]] OptionSet describe(LostOptions& options);
 [[nodiscard]] OptionSet describe(TrackerOptions& options);
+///@}
 
 /// Throws OptionError if options that are each in range contradict one another.
 void check_consistency(const TrackerOptions& options);
@@ -108,18 +112,19 @@ void check_consistency(const TrackerOptions& options);
 /// linear colour kernel, edge points, and its table of constants.
 [[nodiscard]] TrackerOptions paper_options();
 
+/// Whether a frame has a pose.
 enum class TrackingStatus {
-  kTracked,
-  kLost,  ///< no pose; FrameRecord::reason says why
+  kTracked,  ///< FrameRecord::T_world_camera is its pose
+  kLost,     ///< no pose; FrameRecord::reason says why
 };
 
 /// The tracker's result for one frame.
 struct FrameRecord {
-  std::size_t index = 0;  ///< RgbdFrame::index
-  Timestamp stamp;
-  TrackingStatus status = TrackingStatus::kLost;
-  std::string reason;  ///< why the frame is lost; empty if it is tracked
-  SE3 T_world_camera;  ///< valid if the frame is tracked
+  std::size_t index = 0;                          ///< RgbdFrame::index
+  Timestamp stamp;                                ///< RgbdFrame::stamp
+  TrackingStatus status = TrackingStatus::kLost;  ///< whether the frame has a pose
+  std::string reason;                             ///< why the frame is lost; empty if it is tracked
+  SE3 T_world_camera;                             ///< valid if the frame is tracked
   /// Number of the submap of the tracker; in the answers of Slam::track() the name of the joined
   /// submap. A new one starts where tracking resumes after too long a loss. Poses of different
   /// submaps have different worlds.
@@ -150,7 +155,7 @@ using StartFinder =
 
 /// What Tracker::track() returns for a frame.
 struct TrackedFrame {
-  FrameRecord record;
+  FrameRecord record;  ///< its pose, or why it has none
   /// The keyframe that became final with this frame; always an earlier frame. Empty as a rule.
   std::optional<TrackerKeyframe> keyframe;
 };
@@ -162,8 +167,11 @@ class Tracker {
   /// Throws OptionError if the camera or an option is impossible.
   explicit Tracker(const Camera& camera, const TrackerOptions& options = {});
   ~Tracker();
+  ///@{
+  /// Takes over the state of `other`, whose functions throw UsageError from then on.
   Tracker(Tracker&& other) noexcept;
   Tracker& operator=(Tracker&& other) noexcept;
+  ///@}
 
   /// Tracks the next frame, whose images are copied. Never throws on a bad image: the status is
   /// kLost then, with a reason. The first tracked camera is the origin of the world. `find_start`

@@ -18,7 +18,7 @@ namespace cvo_slam {
 /// How well pairs of frames agree when one is moved into the other by known poses: medians over the
 /// pairs. Only a comparison with another camera on the same pairs means much.
 struct Reprojection {
-  std::size_t pairs = 0;
+  std::size_t pairs = 0;   ///< number of pairs
   double color_error = 0;  ///< mean squared difference of the grey values, each at most 40^2
   double still_error = 0;  ///< the same for images that are laid over each other unmoved
   double depth_error = 0;  ///< median of |expected - measured| / expected depth

@@ -35,9 +35,10 @@ namespace cvo_slam {
 /// rotation of a depth camera to the nearest rotation matrix. Throws OutputError.
 void write_camera(const std::filesystem::path& file, const Camera& camera);
 
-/// Returns a built-in camera: config/cameras/<name>.yaml. Throws OptionError, which lists the
+/// Returns a built-in camera: `config/cameras/<name>.yaml`. Throws OptionError, which lists the
 /// names, if there is none of that name.
 [[nodiscard]] Camera builtin_camera(const std::string& name);
+/// Returns the names that builtin_camera() knows.
 [[nodiscard]] std::vector<std::string> builtin_camera_names();
 
 /// Returns the camera that a user gave as the name of a built-in camera or as a file.

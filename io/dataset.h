@@ -16,6 +16,7 @@
 
 namespace cvo_slam {
 
+/// How a recorded sequence is read.
 struct DatasetOptions {
   /// The camera to use. Empty: the camera file that the recording brings (camera.yaml, or another
   /// YAML file that read_camera() reads), else the built-in camera that a file of the recording
@@ -35,8 +36,8 @@ struct DatasetOptions {
 
 /// Numbers of images that have no partner and therefore are in no frame.
 struct UnpairedImages {
-  std::size_t color = 0;
-  std::size_t depth = 0;
+  std::size_t color = 0;  ///< number of colour images
+  std::size_t depth = 0;  ///< number of depth images
 };
 
 /// A recorded RGB-D sequence.
@@ -48,6 +49,7 @@ class Dataset {
   [[nodiscard]] virtual const std::string& name() const = 0;
   /// Name of the format that the folder was recognised as: "TUM RGB-D", "7-Scenes".
   [[nodiscard]] virtual const std::string& kind() const = 0;
+  /// The camera of the frames that read() returns.
   [[nodiscard]] virtual const Camera& camera() const = 0;
   /// Why this camera is used, for people: "given by the caller", "camera.yaml in the folder of the
   /// sequence", "the recording is called 'rgbd_dataset_freiburg1_desk.bag'", ...
@@ -61,6 +63,7 @@ class Dataset {
   [[nodiscard]] virtual Timestamp stamp(std::size_t index) const = 0;
   /// Returns the stamp of its depth image in the same way.
   [[nodiscard]] virtual Timestamp depth_stamp(std::size_t index) const = 0;
+  /// Numbers of images without a partner.
   [[nodiscard]] virtual UnpairedImages unpaired() const = 0;
   /// Ground-truth poses of the colour camera; empty if the sequence has none.
   [[nodiscard]] virtual const std::vector<StampedPose>& reference() const = 0;

@@ -15,6 +15,7 @@
 
 namespace cvo_slam {
 
+/// When a recording that is being written counts as ended.
 struct FollowOptions {
   /// A recording at which nothing has changed for so long has ended [s], above 0, at most a
   /// million.

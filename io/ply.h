@@ -13,7 +13,7 @@ namespace cvo_slam {
 
 /// The vertices of a PLY file.
 struct PlyCloud {
-  std::vector<MapPoint> points;
+  std::vector<MapPoint> points;  ///< in the order of the file
   /// Added to the points' positions [m]: origin_near() of the middle of the cloud.
   Vector3 origin = Vector3::Zero();
   std::vector<std::string> notes;  ///< what of the file was not understood, a line each

@@ -26,14 +26,15 @@ struct LeftOutLines {
   /// write for a frame without a pose.
   std::size_t invalid = 0;
 
+  /// Returns the number of all lines that were left out.
   [[nodiscard]] std::size_t total() const { return repeated + invalid; }
 };
 
 /// A trajectory as another program wrote it.
 struct ForeignTrajectory {
   std::vector<StampedPose> poses;  ///< in ascending order of stamps, none twice
-  LeftOutLines left_out;
-  bool sorted = false;  ///< true if the lines of the file are not in that order
+  LeftOutLines left_out;           ///< lines that gave no pose
+  bool sorted = false;             ///< true if the lines of the file are not in that order
   /// One line for each kind of line that was left out, and one if stamps were out of order. They
   /// begin with the name of the file.
   std::vector<std::string> notes;
@@ -49,7 +50,7 @@ struct ForeignTrajectory {
                                                              std::vector<std::string>& notes);
 
 /// Writes a trajectory in TUM format, one line per frame; a frame without a pose is a comment line
-/// "# lost <stamp> <reason>". Throws OutputError.
+/// `# lost <stamp> <reason>`. Throws OutputError.
 void write_tum(const std::filesystem::path& file, const Trajectory& trajectory);
 
 }  // namespace cvo_slam

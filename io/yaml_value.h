@@ -13,7 +13,7 @@ namespace cvo_slam {
 
 /// A value of a YAML file: a word, a list, a map, or nothing. It knows its place in the file, so
 /// that the code that reads it can say where a mistake is. The arguments named `what` are names for
-/// error messages.
+/// error messages. The functions word() to map() throw InputError if the value has another type.
 class YamlValue {
  public:
   /// Returns the map that a whole file is, or an empty value for an empty file. Throws InputError
@@ -24,17 +24,22 @@ class YamlValue {
   /// OpenCV's files, which is not YAML, is accepted.
   [[nodiscard]] static YamlValue parse(std::string text, const std::filesystem::path& file);
 
+  /// Returns true for an empty file, and for a key or a list entry without a value.
   [[nodiscard]] bool is_empty() const { return kind_ == Kind::kEmpty; }
+  /// Returns true for a word: text, a number, true or false.
   [[nodiscard]] bool is_word() const { return kind_ == Kind::kWord; }
+  /// Returns true for entries `key: value`.
   [[nodiscard]] bool is_map() const { return kind_ == Kind::kMap; }
 
-  // Each of these returns the value as the type that the caller expects, and throws InputError if
-  // it has another type.
+  /// Returns the text of a word, without its quotes.
   [[nodiscard]] const std::string& word(const std::string& what) const;
   /// Returns a finite number.
   [[nodiscard]] double number(const std::string& what) const;
+  /// Returns a list of exactly `count` finite numbers.
   [[nodiscard]] std::vector<double> numbers(const std::string& what, std::size_t count) const;
+  /// Returns the value of a word that is `true` or `false`.
   [[nodiscard]] bool flag(const std::string& what) const;
+  /// Returns the entries of a list.
   [[nodiscard]] const std::vector<YamlValue>& list(const std::string& what) const;
   /// Returns the entries of a map in the order of the file.
   [[nodiscard]] const std::vector<std::pair<std::string, YamlValue>>& map(

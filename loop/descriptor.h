@@ -15,20 +15,24 @@ namespace cvo_slam {
 
 /// The 256 binary tests of an ORB descriptor.
 struct Descriptor {
-  static constexpr std::size_t kBits = 256;
-  static constexpr std::size_t kBytes = kBits / 8;
+  static constexpr std::size_t kBits = 256;         ///< number of tests
+  static constexpr std::size_t kBytes = kBits / 8;  ///< size [bytes]
 
   /// Bit i of the descriptor is bit i % 64 of word i / 64.
   std::array<std::uint64_t, 4> words{};
 
+  /// Returns the result of test i; i is less than kBits.
   [[nodiscard]] bool bit(std::size_t i) const { return ((words[i / 64] >> (i % 64)) & 1U) != 0; }
+  /// Returns true if all bits are equal.
   bool operator==(const Descriptor&) const = default;
 };
 
 /// The bytes of a descriptor. Byte i holds bits 8 i to 8 i + 7, as in OpenCV's rows and in
 /// vocabulary files.
 using DescriptorBytes = std::array<std::uint8_t, Descriptor::kBytes>;
+/// Returns the descriptor that has these bytes.
 [[nodiscard]] Descriptor from_bytes(std::span<const std::uint8_t, Descriptor::kBytes> bytes);
+/// Returns the bytes of a descriptor.
 [[nodiscard]] DescriptorBytes to_bytes(const Descriptor& descriptor);
 
 /// Returns one descriptor for each row of OpenCV's matrix, none for an empty matrix. Throws
@@ -50,6 +54,7 @@ using DescriptorBytes = std::array<std::uint8_t, Descriptor::kBytes>;
 void hamming_distances(const Descriptor& query, std::span<const Descriptor> candidates,
                        std::span<std::uint16_t> distances);
 
+/// The candidate that is most similar to a descriptor.
 struct NearestDescriptor {
   std::size_t index = 0;                                   ///< the first of equally near candidates
   int distance = static_cast<int>(Descriptor::kBits) + 1;  ///< larger than possible: no candidates

@@ -27,18 +27,22 @@ struct CandidateOptions {
   /// Least bag-of-words score of a candidate, as a share of the score with the preceding keyframe,
   /// 0 to 1. Lower values find more loops under changed viewpoints and cost more verifications.
   double min_score = 0.3;
+  /// Least value that is used as the score with the preceding keyframe, for fast motions, 0 to 1.
   double min_neighbor_score = 0.05;
+  /// Largest gap between candidates of the same place [keyframes], 1 to 1000.
   int group_gap = 3;
   /// Most places to verify for an image, 1 to 1000. A verification takes a few milliseconds.
   int candidates = 3;
 };
 
+/// How places are recognised by features.
 struct LoopOptions {
-  OrbOptions orb;
-  CandidateOptions candidates;
-  VerificationOptions verification;
+  OrbOptions orb;                    ///< how features are extracted
+  CandidateOptions candidates;       ///< which keyframes are tried
+  VerificationOptions verification;  ///< which of them are accepted
 };
 
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(LoopOptions& options);
 
 /// A keyframe that may show the same place as an image, and the result of the verification.
@@ -50,7 +54,7 @@ struct LoopMatch {
   /// the best score; the divisor is not less than CandidateOptions::min_neighbor_score. 1 means as
   /// similar as neighbours.
   double normalized_score = 0;
-  int shared_words = 0;
+  int shared_words = 0;       ///< number of different words that both images show
   Verification verification;  ///< a is the keyframe and b the image: T_a_b is T_keyframe_query
 };
 
@@ -58,8 +62,9 @@ struct LoopMatch {
 struct KeyframeMatch {
   std::size_t position = 0;  ///< of the keyframe: counted from 0 in the order of add()
   double score = 0;          ///< bag_score()
-  int shared_words = 0;
+  int shared_words = 0;      ///< number of different words that both images show
 
+  /// Returns true if all members are equal.
   bool operator==(const KeyframeMatch&) const = default;
 };
 
@@ -135,9 +140,11 @@ class LoopDetector {
   /// Adds the next keyframe.
   void add(std::shared_ptr<const Appearance> keyframe);
 
+  /// Returns the vocabulary in use.
   [[nodiscard]] const Vocabulary& vocabulary() const { return *vocabulary_; }
   /// Number of keyframes.
   [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
+  /// Returns a keyframe, counted from 0 in the order of add().
   [[nodiscard]] const Appearance& keyframe(std::size_t i) const { return *keyframes_[i]; }
   /// Memory of the keyframes' features, words and index [bytes].
   [[nodiscard]] std::size_t bytes() const;

@@ -18,10 +18,12 @@ namespace cvo_slam {
 /// The index of a visual word of a vocabulary, in [0, Vocabulary::words()).
 using WordId = std::uint32_t;
 
+/// A visual word of an image.
 struct WordWeight {
-  WordId word = 0;
-  float weight = 0;
+  WordId word = 0;   ///< its index
+  float weight = 0;  ///< its tf-idf weight, as a share of the sum over the image, in (0, 1]
 
+  /// Returns true if all members are equal.
   bool operator==(const WordWeight&) const = default;
 };
 
@@ -37,10 +39,12 @@ using BagOfWords = std::vector<WordWeight>;
 
 /// A feature of an image and the node of a vocabulary, at some level, to which it belongs.
 struct NodeFeature {
-  std::uint32_t node = 0;
-  std::uint32_t feature = 0;
+  std::uint32_t node = 0;     ///< index of the node (VocabularyNode)
+  std::uint32_t feature = 0;  ///< index of the feature in its image
 
+  /// Returns true if all members are equal.
   bool operator==(const NodeFeature&) const = default;
+  /// Orders by nodes, then by features.
   bool operator<(const NodeFeature& other) const {
     return std::pair(node, feature) < std::pair(other.node, other.feature);
   }
@@ -48,7 +52,7 @@ struct NodeFeature {
 
 /// The description of an image by a vocabulary.
 struct ImageWords {
-  BagOfWords bag;
+  BagOfWords bag;                  ///< its words
   std::vector<NodeFeature> nodes;  ///< in ascending order; one for each feature
 };
 
@@ -57,8 +61,8 @@ struct ImageWords {
 struct VocabularyNode {
   std::uint32_t parent = 0;  ///< smaller than the node's own index
   bool is_word = false;      ///< true for a leaf
-  Descriptor descriptor;
-  float weight = 0;  ///< the idf of a word; not used for other nodes
+  Descriptor descriptor;     ///< centre of the descriptors that belong to the node
+  float weight = 0;          ///< the idf of a word; not used for other nodes
 };
 
 /// A tree of descriptors whose leaves are visual words. The word of a descriptor is found by
@@ -68,8 +72,8 @@ struct VocabularyNode {
 /// Immutable, so that any number of threads may share one.
 class Vocabulary {
  public:
-  static constexpr int kMaxBranching = 255;
-  static constexpr int kMaxLevels = 16;
+  static constexpr int kMaxBranching = 255;  ///< most children of a node
+  static constexpr int kMaxLevels = 16;      ///< most steps from the root to a word
 
   /// A node has at most `branching` children, a word is at most `levels` steps below the root.
   /// Nodes are renumbered breadth first; siblings keep their order, and words are numbered in the
@@ -77,7 +81,9 @@ class Vocabulary {
   /// not finite.
   Vocabulary(int branching, int levels, const std::vector<VocabularyNode>& nodes);
 
+  /// Returns the most children that a node may have, as the constructor was told.
   [[nodiscard]] int branching() const { return branching_; }
+  /// Returns the most steps from the root to a word, as the constructor was told.
   [[nodiscard]] int levels() const { return levels_; }
   /// Number of words.
   [[nodiscard]] std::size_t words() const { return weights_.size(); }
@@ -91,9 +97,10 @@ class Vocabulary {
 
   /// The end of a descriptor's descent.
   struct Place {
-    WordId word = 0;
+    WordId word = 0;         ///< the word reached
     std::uint32_t node = 0;  ///< the node passed at the requested level, or the word's own node
   };
+  /// Returns the word of a descriptor, and the node that it passes `level` steps below the root.
   [[nodiscard]] Place find(const Descriptor& descriptor, int level) const;
 
   /// Returns the words of an image's descriptors, and the nodes they pass `level` steps below the
@@ -118,13 +125,15 @@ class Vocabulary {
 /// makes a new one; share it.
 [[nodiscard]] std::shared_ptr<const Vocabulary> builtin_vocabulary();
 
+/// How a vocabulary is made.
 struct TrainingOptions {
-  int branching = 9;
-  int levels = 5;
-  int iterations = 10;
-  int seed = 1;
+  int branching = 9;    ///< children of a node, 2 to 255
+  int levels = 5;       ///< steps from the root to a word, 1 to 8
+  int iterations = 10;  ///< most iterations of the clustering of a node, 1 to 1000
+  int seed = 1;         ///< seed of the first centres of the clusters, 0 to 1000000000
 };
 
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(TrainingOptions& options);
 
 /// Returns a vocabulary made from the descriptors of many images, one list per image, by

@@ -13,9 +13,9 @@ namespace cvo_slam {
 
 /// One of several estimates of the same trajectory.
 struct ComparedTrajectory {
-  std::string name;
+  std::string name;                ///< in the legend and above its top view
   std::vector<StampedPose> poses;  ///< in the world of the reference
-  std::vector<PoseError> errors;   ///< errors from frame to frame
+  std::vector<PoseError> errors;   ///< from frame to frame, by cvo_paper_options()
 };
 
 /// Returns a figure that compares estimates: the cumulative distributions of their translation and

@@ -12,7 +12,7 @@ namespace cvo_slam {
 
 /// The space that a text takes on an image [px].
 struct ImageTextExtent {
-  int width = 0;
+  int width = 0;      ///< length of the text
   int above = 0;      ///< height above the base line
   int below = 0;      ///< height below the base line
   int thickness = 0;  ///< thickness of the strokes

@@ -12,7 +12,7 @@
 namespace cvo_slam {
 
 /// Returns top, front and side views of an estimate [m], drawn over the reference if there is one.
-/// Both must be in the same world (core/alignment.h). The up direction is z, as in motion capture,
+/// Both must be in the same world (align_positions()). The up direction is z, as in motion capture,
 /// if the mean up direction of the reference's cameras is nearer to z than to -y. Otherwise, and
 /// without a reference, it is -y, as in the frame of a camera, and z points ahead. Coordinates far
 /// from zero are drawn relative to an origin near the first pose, which the labels of the axes
@@ -22,8 +22,8 @@ namespace cvo_slam {
 
 /// One kind of error over time. Its name, such as "ATE" or "RPE 1 s", stands in the panel titles.
 struct ErrorCurve {
-  std::string name;
-  std::vector<PoseError> errors;
+  std::string name;               ///< in the titles
+  std::vector<PoseError> errors;  ///< in ascending order of stamps
 };
 
 /// Returns the translation [mm] and rotation [deg] errors of each curve over the seconds since the

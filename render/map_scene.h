@@ -9,13 +9,14 @@
 #include "cvo_slam/core/trajectory.h"
 #include "cvo_slam/plot/figure.h"
 
+/// Pictures of maps, drawn off-screen.
 namespace cvo_slam::render {
 
 /// The trajectory of a camera, drawn as a ribbon. Missing poses interrupt it.
 struct Path {
-  std::string label;  ///< entry in the legend
-  std::vector<StampedPose> poses;
-  Color color = kBlue;
+  std::string label;               ///< entry in the legend
+  std::vector<StampedPose> poses;  ///< relative to the origin of the scene
+  Color color = kBlue;             ///< colour of the ribbon
   /// One value a pose, or none. With values, they colour the ribbon instead of `color`;
   /// MapScene::value_label says what they are.
   std::vector<double> values = {};
@@ -23,24 +24,28 @@ struct Path {
 
 /// A measurement between two keyframes, drawn as a line.
 struct Constraint {
+  ///@{
+  /// Position of a keyframe, relative to the origin of the scene [m].
   Vector3 from;
   Vector3 to;
-  EdgeKind kind = EdgeKind::kOdometry;
+  ///@}
+  EdgeKind kind = EdgeKind::kOdometry;  ///< decides the colour of the line
 };
 
 /// All that a picture of a map shows, in one world [m]. Values that are not finite or are beyond
 /// kMaxCoordinate are left out of the picture; scene_notes() reports them.
 struct MapScene {
-  std::string title;
+  std::string title;  ///< in the upper left corner; may be empty
   /// Position in the world that all positions of the scene are relative to [m]: points are floats,
   /// which cannot tell small distances apart far from zero. The picture's axes and the numbers on
   /// its grid begin here.
   Vector3 origin = Vector3::Zero();
-  std::vector<MapPoint> points;
-  double point_size = 0;  ///< diameter of a point [m]; 0 = estimated from the density
-  std::vector<Path> paths;
-  std::string value_label;     ///< meaning of the paths' values, with the unit: "time [s]"
-  std::vector<SE3> keyframes;  ///< T_world_camera
+  std::vector<MapPoint> points;  ///< the surface
+  double point_size = 0;         ///< diameter of a point [m]; 0 = estimated from the density
+  std::vector<Path> paths;       ///< ViewKind::kFollow follows the first one
+  std::string value_label;       ///< meaning of the paths' values, with the unit: "time [s]"
+  std::vector<SE3> keyframes;    ///< T_world_camera
+  /// Measurements between keyframes. Odometry is not drawn if there is a path.
   std::vector<Constraint> constraints;
   /// Up direction. The default is that of a world that is the frame of the first camera.
   Vector3 up = -Vector3::UnitY();

@@ -21,26 +21,28 @@ enum class ViewKind {
   kTurntable,  ///< as kIso, turned by the azimuth of the options
   kFollow,     ///< from behind the camera at a position of its path, perspective
 };
+
 /// Returns the names that users type: top, front, ...
 [[nodiscard]] const std::vector<std::pair<std::string, ViewKind>>& view_names();
 
+/// Where a picture is taken from, and its size.
 struct ViewOptions {
-  ViewKind kind = ViewKind::kIso;
-  int width = 1920;    ///< [px], 64 to 4096
-  int height = 1080;   ///< [px], 64 to 4096
+  ViewKind kind = ViewKind::kIso;  ///< direction of the view
+  int width = 1920;                ///< [px], 64 to 4096
+  int height = 1080;               ///< [px], 64 to 4096
   double azimuth = 0;  ///< turn of kTurntable about the up direction, from the corner of kIso [rad]
   double progress = 1;  ///< position of kFollow on the first path: 0 = its start, 1 = its end
 };
 
 /// A virtual camera. Pixels are those of core/camera.h: (0, 0) is the centre of the upper left one.
 struct MapView {
-  PinholeCamera camera;  ///< its image is the picture; without distortion
-  SE3 T_world_view;
+  PinholeCamera camera;       ///< its image is the picture; without distortion
+  SE3 T_world_view;           ///< its pose, relative to the origin of the scene
   bool orthographic = false;  ///< if true, fx and fy are pixels a metre at any depth
-  /// What is nearer [m] is not drawn. An orthographic view does not draw what is beyond `far`
-  /// either.
+  /// What is nearer [m] is not drawn; less than 0 in an orthographic view, which shows what is
+  /// behind the eye, too.
   double near = 0.01;
-  double far = 1;
+  double far = 1;  ///< what is farther [m] is not drawn in an orthographic view
 
   /// Returns the pixel of a point and its depth along the view [m]. In a perspective view the point
   /// must be in front of the camera.

@@ -14,6 +14,7 @@ namespace cvo_slam::render {
 /// used: every program that links it loads ffmpeg and GStreamer when it starts.
 class MotionJpeg {
  public:
+  /// `frames_per_second` must be positive.
   explicit MotionJpeg(int frames_per_second = 25) : frames_per_second_(frames_per_second) {}
 
   /// Adds a CV_8UC3 picture. Throws DataError if its size differs from that of the earlier ones.

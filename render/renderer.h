@@ -18,12 +18,12 @@ namespace cvo_slam::render {
 /// A piece of surface on the image: the ellipse as which a disc is seen. A pixel at (dx, dy) from
 /// the centre belongs to it if dx^2 + dy^2 + (slope_x dx + slope_y dy)^2 <= radius^2.
 struct Splat {
-  float x = 0;  ///< centre [px]; (0, 0) is the centre of the upper left pixel
-  float y = 0;
-  float depth = 0;   ///< 0 = nearest to 1 = farthest
-  float radius = 0;  ///< [px], at most kMaxSplatRadius
-  float slope_x = 0;
-  float slope_y = 0;
+  float x = 0;        ///< column of the centre [px]; 0 is the middle of the leftmost pixels
+  float y = 0;        ///< row of the centre [px]; 0 is the middle of the uppermost pixels
+  float depth = 0;    ///< 0 = nearest to 1 = farthest
+  float radius = 0;   ///< [px], at most kMaxSplatRadius
+  float slope_x = 0;  ///< slope of the disc along the rows; 0 = it faces the viewer
+  float slope_y = 0;  ///< slope of the disc along the columns; 0 = it faces the viewer
   std::array<std::uint8_t, 4> color = {0, 0, 0, 255};  ///< blue, green, red; the fourth is unused
 };
 
@@ -32,15 +32,15 @@ inline constexpr float kMaxSplatRadius = 120;
 
 /// A corner of a triangle on the image.
 struct Corner {
-  float x = 0;  ///< [px]
-  float y = 0;
+  float x = 0;                                         ///< column [px], as of a splat
+  float y = 0;                                         ///< row [px], as of a splat
   float depth = 0;                                     ///< 0 = nearest to 1 = farthest
   std::array<std::uint8_t, 4> color = {0, 0, 0, 255};  ///< blue, green, red; the fourth is unused
 };
 
 /// All that a renderer draws. At each pixel the nearest one is visible.
 struct Primitives {
-  std::vector<Splat> splats;
+  std::vector<Splat> splats;    ///< pieces of surfaces
   std::vector<Corner> corners;  ///< three in a row are a triangle, in either orientation
 };
 
@@ -61,6 +61,7 @@ class Renderer {
                                     Color background) = 0;
 };
 
+/// The renderers that make_renderer() can make.
 enum class RendererKind {
   kAuto,    ///< kOsmesa if it is installed and works, otherwise kSplat
   kOsmesa,  ///< Mesa's off-screen OpenGL on the CPU

@@ -16,9 +16,9 @@ namespace cvo_slam {
 /// A pair of keyframes that might constrain one another, and what became of it: a row of loops.csv.
 /// Figures that were not computed are 0.
 struct LoopCandidate {
-  EdgeKind kind = EdgeKind::kProximity;
-  std::size_t from = 0;  ///< number of the older keyframe
-  std::size_t to = 0;    ///< number of the newer one
+  EdgeKind kind = EdgeKind::kProximity;  ///< how the pair was found: kProximity or kLoop
+  std::size_t from = 0;                  ///< number of the older keyframe
+  std::size_t to = 0;                    ///< number of the newer one
   /// True if the newer one is a frame that was lost; it is a keyframe only if this was accepted.
   bool relocalization = false;
   /// Similarity of the words of the two images (kLoop).
@@ -47,8 +47,8 @@ struct LoopCandidate {
 /// What the map takes: how often the graph was optimised while it grew, how long that took, and
 /// memory.
 struct GraphStatistics {
-  int window_solves = 0;
-  int full_solves = 0;
+  int window_solves = 0;      ///< number of optimisations of the newest part
+  int full_solves = 0;        ///< number of optimisations of the whole graph
   double window_seconds = 0;  ///< wall time of all window solves
   double full_seconds = 0;    ///< wall time of all full solves
   Summary last_full;          ///< of the last optimisation of the whole graph

@@ -19,6 +19,7 @@
 
 namespace cvo_slam {
 
+/// Which poses a trajectory has.
 enum class TrajectoryView {
   /// Every frame as the graph has its keyframe now.
   kFinal,
@@ -39,9 +40,9 @@ struct Keyframe {
   /// keep theirs, and those of new frames are counted on: the index plus one more than the largest
   /// number there.
   std::size_t number = 0;
-  Timestamp stamp;
-  int submap = 0;  ///< poses of different submaps are of different worlds
-  SE3 T_world_camera;
+  Timestamp stamp;     ///< stamp of its colour image
+  int submap = 0;      ///< poses of different submaps are of different worlds
+  SE3 T_world_camera;  ///< its present pose in the graph
 };
 
 /// What a Slam object tells while it tracks. Either function may be empty. They are called in the
@@ -89,8 +90,11 @@ class Slam {
   explicit Slam(const Map& map, const SlamOptions& options = {}, MapUse use = MapUse::kExtend,
                 const std::shared_ptr<const Vocabulary>& vocabulary = nullptr);
   ~Slam();
+  ///@{
+  /// Takes over the state of `other`, whose functions throw UsageError from then on.
   Slam(Slam&& other) noexcept;
   Slam& operator=(Slam&& other) noexcept;
+  ///@}
 
   /// Tracks the next frame. A bad image does not throw: the answer is kLost with a reason.
   /// T_world_camera contains the corrections that the map has computed up to
@@ -109,12 +113,14 @@ class Slam {
   [[nodiscard]] Trajectory trajectory(TrajectoryView view = TrajectoryView::kFinal) const;
   /// Nodes are keyframes; their ids are the keyframes' numbers.
   [[nodiscard]] PoseGraph pose_graph() const;
+  /// All keyframes, in the order of the nodes of pose_graph().
   [[nodiscard]] std::vector<Keyframe> keyframes() const;
   /// The map, to be written by write_map() or given to another Slam: keyframes with their points
   /// and features, and the graph; without the coloured surface (Map::points).
   [[nodiscard]] Map map() const;
   /// Every pair that was tried, with its verdict.
   [[nodiscard]] std::vector<LoopCandidate> loop_candidates() const;
+  /// How often the graph was optimised so far, and how long that took.
   [[nodiscard]] GraphStatistics statistics() const;
 
  private:

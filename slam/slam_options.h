@@ -44,8 +44,8 @@ struct ProximityOptions {
   /// Least overlap by the poses of the graph, in [0, 1], for a registration to be tried. Not below
   /// pair.min_overlap, because what hides the scene is not considered.
   double min_expected_overlap = 0.6;
-  int min_gap = 5;  ///< least distance between two of the older keyframes [keyframes]
-  PairOptions pair = {};
+  int min_gap = 5;        ///< least distance between two of the older keyframes [keyframes]
+  PairOptions pair = {};  ///< how these pairs are registered
 };
 
 /// When a recognised keyframe is believed where the graph does not say where the camera is:
@@ -72,7 +72,9 @@ struct LoopClosingOptions {
   /// True to look for keyframes that show the place of the newest one, wherever the graph has it,
   /// and for lost cameras. Costs about a third of the mapping time. The program's --mode sets it.
   bool enabled = true;
-  LoopOptions detection;
+  LoopOptions detection;  ///< how places are recognised by features
+  /// How recognised keyframes are registered: at all length scales, and with wider limits than
+  /// keyframes that the graph has near each other.
   PairOptions pair = {.min_overlap = 0.5,
                       .skip_scales = 0,
                       .max_round_trip_translation = 0.02,
@@ -80,12 +82,12 @@ struct LoopClosingOptions {
   /// Largest error of a loop in the optimised graph [standard deviations]; a loop with more is
   /// taken back. Lower it where false loops are a worse problem than drift.
   double max_residual = 8;
-  RelocalizationOptions relocalization;
+  RelocalizationOptions relocalization;  ///< when a place is believed that the graph cannot confirm
 };
 
 /// All options of Slam.
 struct SlamOptions {
-  TrackerOptions tracker;
+  TrackerOptions tracker;  ///< how the camera is tracked
   /// Where the work on the map is done. kPipelined shortens track() where a second core is free;
   /// results do not depend on it.
   Schedule schedule = Schedule::kInline;
@@ -95,17 +97,24 @@ struct SlamOptions {
   int correction_delay = 2;
   /// The newest part of the graph is optimised whenever so many keyframes were added [keyframes].
   int optimize_every = 5;
-  ProximityOptions proximity;
-  LoopClosingOptions loops;
+  ProximityOptions proximity;  ///< registrations between near keyframes
+  LoopClosingOptions loops;    ///< recognition of keyframes by their images
+  /// How the graph is optimised. Edges are verified before; kCauchy weakens those that are wrong
+  /// all the same.
   OptimizerOptions optimizer = {.loss = RobustLoss::kCauchy};
-  double noise_translation = 0.004;  ///< see describe() [m]
-  double noise_rotation = 0.004;     ///< see describe() [rad]
+  /// Standard deviation of what a registration cannot know of its error, such as bent depth and
+  /// inexact stamps; added to the covariance of every edge [m], 0 to 1.
+  double noise_translation = 0.004;
+  double noise_rotation = 0.004;  ///< the same for the rotation [rad], 0 to 1
 };
 
+///@{
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(PairOptions& options);
 [[nodiscard]] OptionSet describe(ProximityOptions& options);
 [[nodiscard]] OptionSet describe(RelocalizationOptions& options);
 [[nodiscard]] OptionSet describe(LoopClosingOptions& options);
 [[nodiscard]] OptionSet describe(SlamOptions& options);
+///@}
 
 }  // namespace cvo_slam

@@ -8,19 +8,20 @@
 
 #include "cvo_slam/core/se3.h"
 
+/// Sequences with exact ground truth, by ray casting.
 namespace cvo_slam::synthetic {
 
 /// A position that the camera passes near, and the point that it looks at, in the world [m].
 struct Viewpoint {
-  Vector3 position;
-  Vector3 target;
+  Vector3 position;  ///< of the camera
+  Vector3 target;    ///< the point that it looks at
 };
 
 /// The tremor of a hand: sinusoids from 0.5 to 4 Hz whose amplitude falls with their frequency.
 struct Tremor {
   double translation = 0.003;  ///< amplitude of each axis at 1 Hz [m]
   double rotation = 0.006;     ///< amplitude of each axis at 1 Hz [rad]
-  std::uint32_t seed = 0;
+  std::uint32_t seed = 0;      ///< seed of frequencies and phases
 };
 
 /// The plan of a camera path.
@@ -28,8 +29,8 @@ struct PathPlan {
   std::vector<Viewpoint> viewpoints = {};  ///< at equal distances in time
   double duration = 10;                    ///< duration of one round, or from end to end [s]
   bool closed = true;                      ///< true if the path returns to the first viewpoint
-  Tremor tremor = {};
-  double speed = 1;  ///< 2 = twice as fast, in half the duration
+  Tremor tremor = {};                      ///< added to the smooth path
+  double speed = 1;                        ///< 2 = twice as fast, in half the duration
 };
 
 /// Longest duration of a path [s]; more would be millions of frames.
@@ -51,6 +52,7 @@ class CameraPath {
   /// Returns the exact pose. After its duration a closed path repeats, and an open one stays at its
   /// end.
   [[nodiscard]] SE3 T_world_camera(double seconds) const;
+  /// Returns what the constructor was given.
   [[nodiscard]] const PathPlan& plan() const { return plan_; }
 
  private:

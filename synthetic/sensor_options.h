@@ -93,23 +93,27 @@ struct MovingObjectOptions {
   double speed = 0.5;  ///< largest speed [m/s], in [0, 100]; slower than people walk
 };
 
+/// The sensor that records a synthetic sequence.
 struct SensorOptions {
   /// Seed of all noise of the sensor, together with the seed of the world. Another seed records the
   /// same world with other noise.
   int seed = 0;
-  DepthNoiseOptions depth;
-  ImageNoiseOptions image;
-  ExposureOptions exposure;
-  TimingOptions timing;
-  MovingObjectOptions objects;
+  DepthNoiseOptions depth;      ///< errors and gaps of depth images
+  ImageNoiseOptions image;      ///< noise of colour images
+  ExposureOptions exposure;     ///< motion blur, rolling shutter, changes of brightness
+  TimingOptions timing;         ///< stamps, frame rate, missing images
+  MovingObjectOptions objects;  ///< what moves in front of the camera
 };
 
+///@{
+/// Returns the options with their keys, ranges and documentation.
 [[nodiscard]] OptionSet describe(DepthNoiseOptions& options);
 [[nodiscard]] OptionSet describe(ImageNoiseOptions& options);
 [[nodiscard]] OptionSet describe(ExposureOptions& options);
 [[nodiscard]] OptionSet describe(TimingOptions& options);
 [[nodiscard]] OptionSet describe(MovingObjectOptions& options);
 [[nodiscard]] OptionSet describe(SensorOptions& options);
+///@}
 
 /// Throws OptionError if an option is out of range or two options contradict each other.
 void check(const SensorOptions& options);
@@ -118,6 +122,7 @@ void check(const SensorOptions& options);
 /// (each effect about twice as strong, in bad light and among people). Throws OptionError for
 /// another name; the message suggests the nearest one.
 [[nodiscard]] SensorOptions sensor_preset(const std::string& name);
+/// Returns the names that sensor_preset() knows.
 [[nodiscard]] std::vector<std::string> sensor_preset_names();
 
 }  // namespace cvo_slam::synthetic

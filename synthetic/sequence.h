@@ -15,6 +15,7 @@
 
 namespace cvo_slam::synthetic {
 
+/// File format of the colour images.
 enum class ImageFormat { kPng, kJpeg };
 
 /// What to record of a world.
@@ -35,9 +36,10 @@ struct SequenceOptions {
   SensorOptions sensor = {};  ///< the default is an ideal sensor
 };
 
+/// What write_sequence() has written.
 struct SequenceSummary {
   std::size_t frames = 0;  ///< number of frames, including those whose images were dropped
-  double seconds = 0;      ///< time from the first to the last stamp
+  double seconds = 0;      ///< time from the first to the last stamp [s]
   double path_length = 0;  ///< length of the camera path [m]
 };
 

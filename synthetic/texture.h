@@ -30,7 +30,7 @@ enum class Pattern {
 
 /// A procedural texture; world files can describe all of it.
 struct Texture {
-  Pattern pattern = Pattern::kPlaster;
+  Pattern pattern = Pattern::kPlaster;              ///< what is drawn with the two colours
   LinearColor base = LinearColor::Constant(0.7);    ///< reflectance in [0, 1]
   LinearColor accent = LinearColor::Constant(0.4);  ///< reflectance in [0, 1]
   double scale = 0.1;         ///< size of the pattern's unit: plank, brick, tile, line of text [m]
@@ -41,9 +41,18 @@ struct Texture {
 
 /// A position on a surface, and the size of a pixel there.
 struct SurfacePoint {
-  double u = 0, v = 0;            ///< to the right and down from the upper left corner [m]
-  double size_u = 1, size_v = 1;  ///< extent of the surface [m]
-  double footprint_u = 1e-3, footprint_v = 1e-3;  ///< extent of the pixel on the surface [m]
+  ///@{
+  /// Distance to the right (u) or down (v) from the upper left corner [m].
+  double u = 0, v = 0;
+  ///@}
+  ///@{
+  /// Extent of the surface along u or v [m].
+  double size_u = 1, size_v = 1;
+  ///@}
+  ///@{
+  /// Extent of the pixel on the surface along u or v [m].
+  double footprint_u = 1e-3, footprint_v = 1e-3;
+  ///@}
 };
 
 /// Returns the reflectance averaged over the footprint of the pixel, each channel in [0, 1].

@@ -17,16 +17,16 @@ namespace cvo_slam::synthetic {
 
 /// The viewpoint that all path styles but kWalk are built around.
 struct Anchor {
-  Viewpoint view;
+  Viewpoint view;  ///< where the camera stands, and what it looks at
   /// Largest turn of the camera away from the target to either side; pi = all around [rad].
   double pan = std::numbers::pi;
 };
 
 /// A scene and the path of a camera through it.
 struct World {
-  WorldScene scene;
-  CameraPath path;
-  Anchor anchor;
+  WorldScene scene;  ///< what there is to see
+  CameraPath path;   ///< how the camera moves
+  Anchor anchor;     ///< what paths of most styles are built around
 };
 
 /// Styles of camera motion. All paths are made from the anchor of a world, except kWalk.
@@ -38,8 +38,11 @@ enum class PathStyle {
   kStill,     ///< does not move at all
   kShake,     ///< stands and trembles: five times the translation, ten times the rotation of a hand
 };
+
+/// Returns the names that users type: handheld, orbit, ...
 [[nodiscard]] const std::vector<std::pair<std::string, PathStyle>>& path_style_names();
 
+/// What make_world() varies.
 struct WorldOptions {
   std::uint32_t seed = 1;  ///< seed of textures, clutter and tremor
   /// Seed of another walk through the same world: another tremor, on a path whose viewpoints are
@@ -54,6 +57,7 @@ struct WorldOptions {
 /// for an unknown name (the message suggests the nearest one), for a speed that is not positive,
 /// and if the path would lead the camera into a surface. Throws InputError for a bad file.
 [[nodiscard]] World make_world(const std::string& name, const WorldOptions& options = {});
+/// Returns the names of the built-in worlds.
 [[nodiscard]] std::vector<std::string> world_names();
 
 /// Reads a world file; docs/reference/synthetic-worlds.md describes the format. Textures and tremor

@@ -51,9 +51,9 @@ struct Swing {
 
 /// A textured shape in the world.
 struct Primitive {
-  Shape shape;
-  SE3 T_world_shape;  ///< rest position, if the shape moves
-  Texture texture;
+  Shape shape;                                ///< what it is, with its size
+  SE3 T_world_shape;                          ///< rest position, if the shape moves
+  Texture texture;                            ///< what its surface shows
   std::optional<Swing> swing = std::nullopt;  ///< empty = at rest
 };
 
@@ -65,9 +65,9 @@ struct PointLight {
 
 /// All that a synthetic camera can see. The z axis of the world points up.
 struct WorldScene {
-  std::vector<Primitive> primitives;
-  std::vector<PointLight> lights;
-  double ambient = 0.5;  ///< brightness of a white surface without any lamp; 1 = white
+  std::vector<Primitive> primitives;  ///< the textured shapes
+  std::vector<PointLight> lights;     ///< their light adds up
+  double ambient = 0.5;               ///< brightness of a white surface without any lamp; 1 = white
 };
 
 /// Returns the scene at one instant: all shapes are where they are at that time, and at rest.
@@ -75,9 +75,11 @@ struct WorldScene {
 
 /// The surface nearest to a point.
 struct Nearest {
-  std::size_t primitive = 0;
-  double distance = 0;  ///< [m]; 0 inside a solid, infinite in an empty scene
+  std::size_t primitive = 0;  ///< index in WorldScene::primitives; 0 in an empty scene, too
+  double distance = 0;        ///< [m]; 0 inside a solid, infinite in an empty scene
 };
+
+/// Returns the surface nearest to a point; shapes that swing are taken at rest.
 [[nodiscard]] Nearest nearest(const WorldScene& scene, const Vector3& point);
 
 /// Returns the distance from a point to the nearest surface [m]: 0 inside a solid, infinite in an
