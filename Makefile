@@ -128,6 +128,11 @@ packages: needs-dpkg-shlibdeps build/package/build.ninja ## Make Debian packages
 	cmake --build build/package --target cvo_slam_installed cvo_slam_python --parallel $(JOBS)
 	cd build/package && cpack --config CPackConfig.cmake
 
+.PHONY: api
+api: needs-doxygen ## Make web pages of the public headers in build/api/html
+	@mkdir -p build/api
+	doxygen docs/Doxyfile
+
 .PHONY: clean
 clean: ## Remove everything that was built (results/ stays)
 	rm -rf build
@@ -156,5 +161,5 @@ $(PACKAGES): apt-packages.txt tools/install_packages.sh
 .PHONY: needs-%
 needs-%:
 	@command -v $* > /dev/null || { \
-	  echo "make: $* is not installed; on Debian: apt-get install clang clang-tidy clang-format dpkg-dev" >&2; \
+	  echo "make: $* is not installed; on Debian: apt-get install clang clang-tidy clang-format dpkg-dev doxygen" >&2; \
 	  exit 1; }

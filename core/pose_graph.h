@@ -109,7 +109,7 @@ class PoseGraph {
 
 /// Returns the residual of a measurement T_ab, which the back-end minimises:
 ///
-///   r = [ R_a^T (p_b - p_a) - p_ab ; 2 vec(q_ab q_est^-1) ],   q_est = q_a^-1 q_b
+///     r = [ R_a^T (p_b - p_a) - p_ab ; 2 vec(q_ab q_est^-1) ],   q_est = q_a^-1 q_b
 ///
 /// [m; rad for small angles: 2 sin(angle / 2)], both parts in frame a. Products are Hamilton's, and
 /// the quaternion of the rotation q_ab q_est^-1 is the one with w >= 0. This is the residual of

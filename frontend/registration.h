@@ -85,10 +85,10 @@ struct RegistrationOptions {
   /// A shorter Newton step ends a length scale [m] and [rad]; at a finer scale than
   /// judged_length_scale by so much less.
   double tolerance = 1e-4;
-  double coarse_tolerance = 0.1;  ///< the same at coarse scales, as a share of the next scale
-  double depth_noise = 2.2;       ///< factor on PointCloud::ray_noise, for the covariance
-  double information_scale = 3;   ///< factor of the information before the depth noise
-  FlowConstants flow;             ///< used by Solver::kFlow only
+  double coarse_tolerance = 0.1;   ///< the same at coarse scales, as a share of the next scale
+  double depth_noise = 2.2;        ///< factor on PointCloud::ray_noise, for the covariance
+  double information_scale = 1.5;  ///< factor of the information before the depth noise
+  FlowConstants flow;              ///< used by Solver::kFlow only
 };
 
 ///@{

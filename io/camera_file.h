@@ -12,16 +12,16 @@ namespace cvo_slam {
 
 /// Reads a camera from a YAML file with the keys
 ///
-///   name                           default: the name of the file
-///   width, height, fx, fy, cx, cy  of the colour camera [px]
-///   distortion                     k1, k2, p1, p2, k3 as in OpenCV; default: none
-///   depth_scale                    units of the depth image per metre
-///   readout_time                   of a rolling shutter, first to last row [s]; default: 0
-///   noise                          depth_floor [m], depth_quadratic [1/m], pixel [px], as in
-///                                  SensorNoise; a key that is missing has its default
-///   depth                          a depth camera, if depth is not registered to colour: width,
-///                                  height, fx, fy, cx, cy, distortion and T_color_depth, the four
-///                                  rows of a rigid 4x4 matrix [m]
+///     name                           default: the name of the file
+///     width, height, fx, fy, cx, cy  of the colour camera [px]
+///     distortion                     k1, k2, p1, p2, k3 as in OpenCV; default: none
+///     depth_scale                    units of the depth image per metre
+///     readout_time                   of a rolling shutter, first to last row [s]; default: 0
+///     noise                          depth_floor [m], depth_quadratic [1/m], pixel [px], as in
+///                                    SensorNoise; a key that is missing has its default
+///     depth                          a depth camera, if depth is not registered to colour: width,
+///                                    height, fx, fy, cx, cy, distortion and T_color_depth, the
+///                                    four rows of a rigid 4x4 matrix [m]
 ///
 /// or from a settings file of ORB-SLAM2, ORB-SLAM3 or OpenVSLAM, which is recognised by its keys
 /// "Camera.fx", "Camera1.fx" and their kin. Of these, a key that says that the lens or the images

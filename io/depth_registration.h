@@ -18,15 +18,15 @@ namespace cvo_slam {
 /// them. The readers of data sets do it where `Camera::depth` is set; callers who grab their own
 /// images do
 ///
-///   const Camera camera = read_camera("camera.yaml");  // with the key `depth`
-///   const DepthRegistration registration(camera);
-///   while (grab(color, depth)) {
-///     RgbdFrame frame;
-///     frame.stamp = frame.depth_stamp = stamp;
-///     frame.color = color;
-///     frame.depth = registration.register_depth(depth);
-///     slam.track(frame);
-///   }
+///     const Camera camera = read_camera("camera.yaml");  // with the key `depth`
+///     const DepthRegistration registration(camera);
+///     while (grab(color, depth)) {
+///       RgbdFrame frame;
+///       frame.stamp = frame.depth_stamp = stamp;
+///       frame.color = color;
+///       frame.depth = registration.register_depth(depth);
+///       slam.track(frame);
+///     }
 ///
 /// Colour images stay as they are, and so does their lens distortion: the tracker knows it from
 /// `Camera::color`, and registered depth has the same distortion as the colour image.

@@ -28,8 +28,8 @@ struct FollowOptions {
 /// A recording that is still being written: next() waits for frames and returns them as they
 /// appear. As a Dataset it holds the frames that next() has returned.
 ///
-///   FollowedDataset frames(folder);
-///   while (const auto frame = frames.next()) slam.track(*frame);
+///     FollowedDataset frames(folder);
+///     while (const auto frame = frames.next()) slam.track(*frame);
 ///
 /// A frame is returned when there is a later one, so that its partner is known and its images are
 /// whole; the last one when the recording has ended. Images that cannot be read are tried again for

@@ -18,9 +18,9 @@ enum class ForeignEntries {
 
 /// Reads a pose graph in g2o format, one entry per line:
 ///
-///   VERTEX_SE3:QUAT id  x y z  qx qy qz qw
-///   EDGE_SE3:QUAT from to  x y z  qx qy qz qw  i11 i12 ... i66
-///   FIX id...
+///     VERTEX_SE3:QUAT id  x y z  qx qy qz qw
+///     EDGE_SE3:QUAT from to  x y z  qx qy qz qw  i11 i12 ... i66
+///     FIX id...
 ///
 /// i11 ... i66 are the 21 values of the upper triangle of the information matrix, row by row, in
 /// the order [translation; rotation]. The entries may be in any order; '#' starts a comment.

@@ -12,10 +12,10 @@ namespace cvo_slam {
 
 /// Writes a map into a folder, which is made if it is missing:
 ///
-///   keyframes.txt  poses of the keyframes in TUM format, unless only the graph knows them
-///   graph.g2o      the pose graph, if the map has one
-///   edges.txt      kinds of the graph's edges, which g2o cannot store: lines "from to kind"
-///   map.ply        points, if the map has any
+///     keyframes.txt  poses of the keyframes in TUM format, unless only the graph knows them
+///     graph.g2o      the pose graph, if the map has one
+///     edges.txt      kinds of the graph's edges, which g2o cannot store: lines "from to kind"
+///     map.ply        points, if the map has any
 ///
 /// A map with memory (Map::memory) has a folder of its own, docs/reference/map-folder.md, which is
 /// written beside and takes the place of an earlier map's at once: whatever happens, there is the

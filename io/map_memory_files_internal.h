@@ -22,8 +22,8 @@ void write_memory(const std::filesystem::path& folder, const MapMemory& memory);
 
 /// Writes the header of a folder, with the size and the checksum of every file in it.
 void write_header(const std::filesystem::path& folder, const MapMemory& memory);
-/// Throws InputError unless the version is ours and every file but those that read_memory() reads is
-/// as the header says.
+/// Throws InputError unless the version is ours and every file but those that read_memory() reads
+/// is as the header says.
 void check_header(const std::filesystem::path& folder);
 
 /// Calls `write` with a folder beside, and lets that take the place of `folder` at once. Throws

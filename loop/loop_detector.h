@@ -103,15 +103,15 @@ class KeyframeDatabase {
 
 /// Place recognition: finds earlier keyframes by their visual words and verifies them by geometry.
 ///
-///   LoopDetector detector(camera);
-///   for (each keyframe) {
-///     auto appearance = detector.extract(frame);
-///     for (const LoopMatch& match : detector.find_loops(*appearance)) {
-///       if (!match.verification.accepted) continue;
-///       ...
+///     LoopDetector detector(camera);
+///     for (each keyframe) {
+///       auto appearance = detector.extract(frame);
+///       for (const LoopMatch& match : detector.find_loops(*appearance)) {
+///         if (!match.verification.accepted) continue;
+///         ...
+///       }
+///       detector.add(appearance);
 ///     }
-///     detector.add(appearance);
-///   }
 ///
 /// The results depend only on the images, their order and their ids. All functions except extract()
 /// and describe() are for one thread at a time. Only the word query of find_loops() and

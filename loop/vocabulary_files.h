@@ -19,18 +19,18 @@ namespace cvo_slam {
 /// Returns the bytes of the binary format of this library. They depend on the vocabulary alone.
 /// All numbers are little-endian:
 ///
-///   offset  bytes
-///        0      8  "cvo-voc\n"
-///        8      4  version of the format: 1
-///       12      4  branching
-///       16      4  levels
-///       20      4  bits of a descriptor: 256
-///       24      4  n, number of nodes including the root
-///       28      4  w, number of words
-///       32      8  checksum of all other bytes: FNV-1a over 64-bit words, padded with zeros
-///       40      n  number of children of each node, breadth first; 0 for a word
-///           32n-32 descriptors of the nodes below the root
-///               4w weights of the words (IEEE 754)
+///     offset  bytes
+///          0      8  "cvo-voc\n"
+///          8      4  version of the format: 1
+///         12      4  branching
+///         16      4  levels
+///         20      4  bits of a descriptor: 256
+///         24      4  n, number of nodes including the root
+///         28      4  w, number of words
+///         32      8  checksum of all other bytes: FNV-1a over 64-bit words, padded with zeros
+///         40      n  number of children of each node, breadth first; 0 for a word
+///             32n-32 descriptors of the nodes below the root
+///                 4w weights of the words (IEEE 754)
 [[nodiscard]] std::string vocabulary_bytes(const Vocabulary& vocabulary);
 /// Parses the binary format; `name` is for messages. Throws InputError.
 [[nodiscard]] Vocabulary vocabulary_from_bytes(std::span<const char> bytes,

@@ -15,6 +15,8 @@
 namespace cvo_slam::render {
 namespace {
 
+constexpr std::uint32_t kFramesPerSecond = 25;
+
 std::string little_endian(std::uint32_t value, int bytes) {
   std::string text;
   for (int i = 0; i < bytes; ++i) {
@@ -38,7 +40,6 @@ std::string list(std::string_view kind, const std::string& content) {
 }
 
 struct Film {
-  std::uint32_t frames_per_second;
   cv::Size size;
   std::size_t frames;
   std::size_t largest_frame;
@@ -47,9 +48,8 @@ struct Film {
 /// Returns the AVIMAINHEADER of Microsoft's "AVI RIFF File Reference".
 std::string main_header(const Film& film) {
   constexpr std::uint32_t kHasIndex = 0x10;
-  return u32(1'000'000 / film.frames_per_second) +
-         u32(film.largest_frame * film.frames_per_second) + u32(0) + u32(kHasIndex) +
-         u32(film.frames) + u32(0) + u32(1) + u32(film.largest_frame) +
+  return u32(1'000'000 / kFramesPerSecond) + u32(film.largest_frame * kFramesPerSecond) + u32(0) +
+         u32(kHasIndex) + u32(film.frames) + u32(0) + u32(1) + u32(film.largest_frame) +
          u32(static_cast<std::size_t>(film.size.width)) +
          u32(static_cast<std::size_t>(film.size.height)) + std::string(16, '\0');
 }
@@ -58,10 +58,9 @@ std::string main_header(const Film& film) {
 std::string stream_headers(const Film& film) {
   const auto width = static_cast<std::uint32_t>(film.size.width);
   const auto height = static_cast<std::uint32_t>(film.size.height);
-  const std::string stream = "vidsMJPG" + std::string(12, '\0') + u32(1) +
-                             u32(film.frames_per_second) + u32(0) + u32(film.frames) +
-                             u32(film.largest_frame) + u32(0xffffffffU) + u32(0) + u16(0) + u16(0) +
-                             u16(width) + u16(height);
+  const std::string stream = "vidsMJPG" + std::string(12, '\0') + u32(1) + u32(kFramesPerSecond) +
+                             u32(0) + u32(film.frames) + u32(film.largest_frame) +
+                             u32(0xffffffffU) + u32(0) + u16(0) + u16(0) + u16(width) + u16(height);
   const std::string bitmap = u32(40) + u32(width) + u32(height) + u16(1) + u16(24) + "MJPG" +
                              u32(std::size_t{3} * width * height) + std::string(16, '\0');
   return list("strl", chunk("strh", stream) + chunk("strf", bitmap));
@@ -88,7 +87,7 @@ void MotionJpeg::write(const std::filesystem::path& file) const {
   }
   std::string pictures;
   std::string index;
-  Film film{static_cast<std::uint32_t>(frames_per_second_), size_, frames_.size(), 0};
+  Film film{size_, frames_.size(), 0};
   constexpr std::uint32_t kIsWhole = 0x10;  // each picture can be decoded on its own
   for (const std::string& frame : frames_) {
     film.largest_frame = std::max(film.largest_frame, frame.size());

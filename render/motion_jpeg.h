@@ -10,13 +10,10 @@
 
 namespace cvo_slam::render {
 
-/// A film of JPEG pictures in an AVI file, which any player can play. OpenCV's own writer is not
-/// used: every program that links it loads ffmpeg and GStreamer when it starts.
+/// A film of 25 JPEG pictures a second in an AVI file, which any player can play. OpenCV's own
+/// writer is not used: every program that links it loads ffmpeg and GStreamer when it starts.
 class MotionJpeg {
  public:
-  /// `frames_per_second` must be positive.
-  explicit MotionJpeg(int frames_per_second = 25) : frames_per_second_(frames_per_second) {}
-
   /// Adds a CV_8UC3 picture. Throws DataError if its size differs from that of the earlier ones.
   void add(const cv::Mat& image);
   /// Writes the pictures added so far. Throws OptionError if the name does not end in .avi, and
@@ -24,7 +21,6 @@ class MotionJpeg {
   void write(const std::filesystem::path& file) const;
 
  private:
-  int frames_per_second_;
   cv::Size size_;
   std::vector<std::string> frames_;
 };

@@ -61,10 +61,10 @@ struct SlamObserver {
 /// Tracks an RGB-D camera and builds a map of keyframes. Registrations between near keyframes hold
 /// the drift down, and keyframes that are recognised by their images take it out (loops).
 ///
-///   Slam slam(camera);
-///   while (grab(frame)) slam.track(frame);
-///   slam.finish();
-///   write_tum("trajectory.txt", slam.trajectory());
+///     Slam slam(camera);
+///     while (grab(frame)) slam.track(frame);
+///     slam.finish();
+///     write_tum("trajectory.txt", slam.trajectory());
 ///
 /// A lost camera is searched for among the keyframes; when a few frames in a row agree on where it
 /// is, tracking goes on from there. Otherwise a new submap starts after a while (LostOptions), in a

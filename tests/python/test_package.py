@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 import cvo_slam
 
@@ -32,6 +33,49 @@ def test_example_of_own_images(tmp_path: Path) -> None:
     trajectory = cvo_slam.Trajectory.read(tmp_path / "own_images.txt")
     # 29 steps of 2 px at 2 m with a focal length of 260 px.
     np.testing.assert_allclose(trajectory.positions[-1], [29 * 2 * 2 / 260, 0, 0], atol=0.003)
+
+
+def test_example_of_a_map(recording: Path, tmp_path: Path) -> None:
+    printed = run_python(
+        tmp_path, str(EXAMPLES / "save_and_localize.py"), str(recording), str(tmp_path / "map")
+    )
+    assert "22 of 24 frames located" in printed
+
+
+FAKE_CV2 = """
+import os, signal
+import cvo_slam
+CAP_OPENNI2, CAP_OPENNI_DEPTH_GENERATOR_REGISTRATION = 1600, 1
+CAP_OPENNI_DEPTH_MAP, CAP_OPENNI_BGR_IMAGE = 0, 5
+
+class VideoCapture:
+    \"\"\"Plays a recording; the user ends it after ten frames.\"\"\"
+    def __init__(self, api):
+        self.frames = iter(cvo_slam.open_dataset(os.environ["RECORDING"]))
+        self.count = 0
+    def set(self, key, value): pass
+    def release(self): pass
+    def grab(self):
+        self.frame = next(self.frames)
+        self.count += 1
+        if self.count == 10:
+            os.kill(os.getpid(), signal.SIGINT)
+        return True
+    def retrieve(self, flag):
+        image = self.frame.depth if flag == CAP_OPENNI_DEPTH_MAP else self.frame.rgb[:, :, ::-1]
+        return True, image
+"""
+
+
+def test_example_of_a_camera(
+    recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With a module in place of OpenCV's; Ctrl-C ends the loop between two frames."""
+    (tmp_path / "cv2.py").write_text(FAKE_CV2)
+    monkeypatch.setenv("PYTHONPATH", f"{tmp_path}:{os.environ['PYTHONPATH']}")
+    monkeypatch.setenv("RECORDING", str(recording))
+    run_python(tmp_path, str(EXAMPLES / "capture.py"), str(recording / "camera.yaml"))
+    assert len(cvo_slam.Trajectory.read(tmp_path / "trajectory.txt")) == 9
 
 
 def test_the_wheel_in_a_clean_environment(tmp_path: Path) -> None:
