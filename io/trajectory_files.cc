@@ -122,7 +122,7 @@ void write_tum(const std::filesystem::path& file, const Trajectory& trajectory) 
   std::string text = "# stamp tx ty tz qx qy qz qw (T_world_camera)\n";
   auto lost = trajectory.lost.begin();
   const auto write_lost_before = [&](const Timestamp* stamp) {
-    for (; lost != trajectory.lost.end() && (!stamp || lost->stamp < *stamp); ++lost) {
+    for (; lost != trajectory.lost.end() && (stamp == nullptr || lost->stamp < *stamp); ++lost) {
       text += fmt::format("# lost {} {}\n", lost->stamp.to_string(), lost->reason);
     }
   };

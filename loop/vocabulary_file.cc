@@ -110,7 +110,7 @@ std::string problem_of_bytes(std::span<const char> bytes) {
     return fmt::format("is cut off: {} bytes, and its header has {}; copy it again", bytes.size(),
                        kHeaderBytes);
   }
-  const std::string problem = header_problem(Header(bytes), bytes.size());
+  std::string problem = header_problem(Header(bytes), bytes.size());
   if (!problem.empty()) return problem;
   if (number_at<std::uint64_t>(bytes, kChecksumAt) != checksum(bytes)) {
     return "is damaged: its checksum is another; copy it again";

@@ -86,6 +86,7 @@ template <typename Value>
 Panel distribution_panel(const std::vector<ComparedTrajectory>& estimates, std::string title,
                          std::string x_label, const Value& value) {
   std::vector<std::vector<double>> values;
+  values.reserve(estimates.size());
   for (const auto& estimate : estimates) values.push_back(sorted_values(estimate.errors, value));
   const double end = end_of_axis(values);
   Panel panel{std::move(title), std::move(x_label), "share of frames", {}};

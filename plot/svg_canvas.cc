@@ -67,7 +67,7 @@ class SvgCanvas : public Canvas {
                            rounded(point.y));
     }
     body_ +=
-        fmt::format("\" stroke=\"{}\" stroke-width=\"{}\"", hex(style.color), rounded(style.width));
+        fmt::format(R"(" stroke="{}" stroke-width="{}")", hex(style.color), rounded(style.width));
     std::vector<double> lengths = dashes(style);
     for (double& length : lengths) length = rounded(length);
     if (!lengths.empty()) {

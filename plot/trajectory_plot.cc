@@ -72,6 +72,7 @@ void append(Series& series, double x, double y) {
 template <typename Stamped>
 double longest_drawn_step(const std::vector<Stamped>& items) {
   std::vector<Timestamp> stamps;
+  stamps.reserve(items.size());
   for (const Stamped& item : items) stamps.push_back(item.stamp);
   return longest_usual_step(stamps);
 }
