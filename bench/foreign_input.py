@@ -142,7 +142,7 @@ def cameras():
     edit(folder / "camera.yaml", lambda text: re.sub("depth_scale: 5000", "depth_scale: 2500", text))
     add(section, "a depth_scale that is wrong by 2",
         ["run", folder, "--out", WORK / "scaled", "--mode", "odometry"], 0,
-        "warning: (the ground truth is|frames re-project badly)")
+        "warning: (the reference is|frames re-project badly)")
     folder = recording("fold/sequence")
     edit(folder / "camera.yaml", lambda text: text + "distortion: [-3, 0, 0, 0, 0]\n")
     add(section, "a distortion that folds back inside the image", ["info", folder], 0,
