@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <exception>
@@ -78,6 +79,7 @@ struct Slam::Impl {
   Impl(const Camera& camera, const SlamOptions& options_in,
        const std::shared_ptr<const Vocabulary>& vocabulary)
       : options(checked(options_in)),
+        depth_offset(camera.depth_offset.value_or(0)),
         tracker(camera, options.tracker),
         consensus(options.loops.relocalization.frames, options.tracker.lost.max_speed,
                   options.tracker.lost.max_angular_speed),
@@ -90,6 +92,7 @@ struct Slam::Impl {
 
   std::atomic_flag in_use;  // see ExclusiveAccess
   SlamOptions options;
+  double depth_offset;  // of the camera [s]
   Tracker tracker;
   FrameHistory history;
   FrameRecord last_tracked_record;           // of the last tracked frame, as the tracker answered
@@ -327,6 +330,21 @@ Slam::Slam(const Map& map, const SlamOptions& options, MapUse use,
 Slam::~Slam() = default;
 Slam::Slam(Slam&&) noexcept = default;
 Slam& Slam::operator=(Slam&&) noexcept = default;
+
+FrameRecord Slam::track(RgbdFrame frame, const std::vector<DepthImage>& depths) {
+  if (depths.empty()) throw DataError("track() needs a depth image to choose from");
+  const double offset = ExclusiveAccess(impl_, "Slam")->depth_offset;
+  const auto nearest =
+      std::min_element(depths.begin(), depths.end(), [&](const DepthImage& a, const DepthImage& b) {
+        const auto distance = [&](const DepthImage& image) {
+          return std::fabs(seconds_between(frame.stamp, image.stamp) + offset);
+        };
+        return std::pair(distance(a), a.stamp) < std::pair(distance(b), b.stamp);
+      });
+  frame.depth = nearest->depth;
+  frame.depth_stamp = nearest->stamp;
+  return track(frame);
+}
 
 FrameRecord Slam::track(const RgbdFrame& frame) {
   return ExclusiveAccess(impl_, "Slam")->track_and_notify(frame);

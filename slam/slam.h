@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/map.h"
 #include "cvo_slam/core/pose_graph.h"
@@ -43,6 +45,12 @@ struct Keyframe {
   Timestamp stamp;     ///< stamp of its colour image
   int submap = 0;      ///< poses of different submaps are of different worlds
   SE3 T_world_camera;  ///< its present pose in the graph
+};
+
+/// A depth image that is not paired with a colour image yet.
+struct DepthImage {
+  cv::Mat depth;    ///< as RgbdFrame::depth
+  Timestamp stamp;  ///< as the sensor gives it, without Camera::depth_offset
 };
 
 /// What a Slam object tells while it tracks. Either function may be empty. They are called in the
@@ -101,6 +109,11 @@ class Slam {
   /// SlamOptions::correction_delay keyframes ago. Throws DataError if RgbdFrame::index is not above
   /// that of the frame before.
   FrameRecord track(const RgbdFrame& frame);
+  /// Tracks the colour image of `frame` with one of several depth images, say the one before and
+  /// the one after it: the one that is nearest in time once Camera::depth_offset was added to its
+  /// stamp, of two the earlier. What `frame` says of depth does not matter. Throws DataError if
+  /// there is no depth image.
+  FrameRecord track(RgbdFrame frame, const std::vector<DepthImage>& depths);
 
   /// Optimises the whole graph. May be called again; tracking may go on after it.
   void finish();

@@ -265,6 +265,24 @@ TEST_F(SlamOnSyntheticFrames, AnObjectThatWasMovedFromSaysSo) {
   EXPECT_TRUE(other.keyframes().empty());
 }
 
+TEST_F(SlamOnSyntheticFrames, TakesTheDepthImageThatIsNearestAfterTheOffset) {
+  Camera camera = small_camera(320, 240);
+  const auto depth_at = [](const RgbdFrame& frame, std::int64_t milliseconds) {
+    return DepthImage{frame.depth, Timestamp(frame.stamp.nanoseconds() + milliseconds * 1'000'000)};
+  };
+  RgbdFrame color = frames_[0];
+  color.depth.release();
+  const DepthImage before = depth_at(frames_[0], -5);
+  const DepthImage after{cv::Mat::zeros(240, 320, CV_16UC1), depth_at(frames_[0], 12).stamp};
+  for (const auto& [offset, is_before] : {std::pair(0.0, true), std::pair(-0.01, false)}) {
+    camera.depth_offset = offset;
+    Slam slam(camera, slam_);
+    // The second image is empty.
+    EXPECT_EQ(slam.track(color, {after, before}).status == TrackingStatus::kTracked, is_before);
+  }
+  EXPECT_THROW(make_slam().track(color, {}), DataError);
+}
+
 TEST_F(SlamOnSyntheticFrames, AnObserverSeesEveryFrameAndEveryKeyframeThatMoves) {
   const auto observed = [this](Schedule schedule) {
     slam_.schedule = schedule;
