@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
 #include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/python/arrays_internal.h"
 
 namespace cvo_slam::python {
@@ -27,8 +29,14 @@ namespace cvo_slam::python {
 /// Numbers frames that are given as arrays, from 0.
 class NextFrame {
  public:
-  /// The next frame follows this one.
-  void after(std::size_t index) { index_ = index + 1; }
+  /// Tracks a frame with the interpreter free for other threads. The next frame follows it,
+  /// whatever is thrown.
+  template <typename Track>
+  FrameRecord track(const RgbdFrame& frame, const Track& track) {
+    index_ = std::max(index_, frame.index + 1);
+    const pybind11::gil_scoped_release release;
+    return track(frame);
+  }
 
   [[nodiscard]] RgbdFrame frame(const pybind11::array& rgb, const pybind11::array& depth,
                                 double stamp, const std::optional<double>& depth_stamp) const {

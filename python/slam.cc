@@ -32,13 +32,7 @@ struct PySlam {
   NextFrame next;
 
   FrameRecord track(const RgbdFrame& frame) {
-    FrameRecord record;
-    {
-      const py::gil_scoped_release release;
-      record = slam.track(frame);
-    }
-    next.after(frame.index);
-    return record;
+    return next.track(frame, [this](const RgbdFrame& f) { return slam.track(f); });
   }
 };
 

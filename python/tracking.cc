@@ -24,13 +24,7 @@ struct PyTracker {
   NextFrame next;
 
   FrameRecord track(const RgbdFrame& frame) {
-    FrameRecord record;
-    {
-      const py::gil_scoped_release release;
-      record = tracker.track(frame).record;
-    }
-    next.after(frame.index);
-    return record;
+    return next.track(frame, [this](const RgbdFrame& f) { return tracker.track(f).record; });
   }
 };
 

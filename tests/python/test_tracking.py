@@ -102,10 +102,12 @@ def test_what_an_observer_raises(data: cvo_slam.Dataset) -> None:
     with pytest.raises(KeyboardInterrupt):
         slam.track(data.read(0))
     slam.observe(lambda record: slam.finish())
+    frame = data.read(1)
     with pytest.raises(cvo_slam.UsageError):
-        slam.track(data.read(1))
+        slam.track(frame.rgb, frame.depth, frame.stamp)
     slam.observe()
-    assert slam.track(data.read(2)).tracked
+    frame = data.read(2)
+    assert slam.track(frame.rgb, frame.depth, frame.stamp).tracked
     assert len(slam.trajectory().poses) == 3
 
 
