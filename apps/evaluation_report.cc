@@ -114,17 +114,32 @@ void add_warnings(EvaluationReport& report, std::size_t possible) {
       possible - report.matches, possible));
 }
 
+/// Returns the root mean square distance of the reference's positions from their mean [m].
+double extent_of_reference(const std::vector<MatchedPose>& matches) {
+  Vector3 mean = Vector3::Zero();
+  for (const MatchedPose& match : matches) mean += match.reference.translation();
+  mean /= static_cast<double>(matches.size());
+  double sum = 0;
+  for (const MatchedPose& match : matches) {
+    sum += (match.reference.translation() - mean).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(matches.size()));
+}
+
 /// Adds a warning if the estimate is of another size than the reference, as it is if depth is read
 /// with a wrong scale.
 void add_scale_warning(EvaluationReport& report, const std::vector<MatchedPose>& matches) {
   constexpr double kUnusual = 0.15;
-  constexpr double kBetter = 0.5;  // a trajectory that drifts gains less by another size
+  // A trajectory that drifts gains less by another size, and noise shrinks to nothing.
+  constexpr double kBetter = 0.5;
+  constexpr double kExplained = 0.1;
   if (!report.ate || report.options.alignment != Alignment::kSe3) return;
   try {
     const AbsoluteTrajectoryError scaled = absolute_trajectory_error(matches, Alignment::kSim3);
     const double scale = scaled.alignment.scale;
     if (std::fabs(std::log(scale)) < std::log1p(kUnusual) ||
-        scaled.statistics.translation.rmse > kBetter * report.ate->statistics.translation.rmse) {
+        scaled.statistics.translation.rmse > kBetter * report.ate->statistics.translation.rmse ||
+        scaled.statistics.translation.rmse > kExplained * extent_of_reference(matches)) {
       return;
     }
     report.warnings.push_back(fmt::format(

@@ -44,8 +44,8 @@ struct RunArguments {
   bool no_map = false;
   bool overwrite = false;
   bool follow = false;
-  double end_after = 10;
-  std::filesystem::path load_map;  // empty = none
+  std::optional<double> end_after;  // [s]
+  std::filesystem::path load_map;   // empty = none
   bool localize = false;
   bool save_map = false;
   LoopPictures loop_pictures = LoopPictures::kAccepted;
@@ -163,12 +163,14 @@ RunInput open_followed_input(const RunArguments& arguments) {
   if (!arguments.tracking.frames.empty()) {
     throw OptionError("--frames needs the number of frames, which --follow does not know");
   }
+  FollowOptions options;
+  options.end_after = arguments.end_after.value_or(options.end_after);
+  options.stop = &InterruptGuard::requested;
   if (!arguments.quiet) {
     fmt::print(stderr, "waiting for frames in {}\n", arguments.tracking.sequence.dataset.string());
   }
   try {
-    const auto followed = open_followed(arguments.tracking.sequence,
-                                        {arguments.end_after, &InterruptGuard::requested});
+    const auto followed = open_followed(arguments.tracking.sequence, options);
     return {followed.data, followed.data, followed.clock, {}};
   } catch (const InputError&) {
     if (!InterruptGuard::requested()) throw;
@@ -190,6 +192,9 @@ int exit_code_of(int signal) { return signal == SIGTERM ? kTerminated : kInterru
 
 int run(const RunArguments& arguments) {
   check_map_arguments(arguments);
+  if (arguments.end_after && !arguments.follow) {
+    throw OptionError("--end-after is for --follow: other recordings end with their last frame");
+  }
   ProgramOptions options = arguments.tracking.options();
   options.slam.loops.enabled = arguments.mode == "slam";
   if (arguments.dump_config) {
@@ -273,8 +278,8 @@ void add_run_command(CLI::App& app, Action& action) {
               "changed for --end-after or the run is interrupted");
   command
       .add("--end-after", &arguments->end_after,
-           "Time without a change after which a recording with --follow has ended [s]")
-      .show_default();
+           "Time without a change after which a recording with --follow has ended [s] (default 10)")
+      .in_range(0.001, 1e6);
   command.add("--no-map", &arguments->no_map,
               "Write neither map.ply nor map.png: saves their memory and time");
   command.add("--save-map", &arguments->save_map,

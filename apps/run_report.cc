@@ -95,9 +95,11 @@ std::string to_table(const RunReport& report) {
   table += fmt::format("{:<12} {}\n", "depth offset", report.clock.text());
   if (report.evaluation) table += error_rows(*report.evaluation);
   table += fmt::format("{:<12} {:.2f} m\n", "path", path_length(report.trajectory.poses));
-  table += fmt::format("{:<12} {:.1f} fps; read {:.1f} ms, track {:.1f} ms a frame (median)\n",
-                       "speed", run.fps(), median_cost(run, &FrameCost::read_ms),
-                       median_cost(run, &FrameCost::track_ms));
+  if (!run.records.empty()) {
+    table += fmt::format("{:<12} {:.1f} fps; read {:.1f} ms, track {:.1f} ms a frame (median)\n",
+                         "speed", run.fps(), median_cost(run, &FrameCost::read_ms),
+                         median_cost(run, &FrameCost::track_ms));
+  }
   table += fmt::format("{:<12} {:.1f} % ({} of {} frames)\n", "lost", 100 * report.lost_share(),
                        report.trajectory.lost.size(), run.records.size());
   if (!report.trajectory.lost.empty()) {

@@ -35,6 +35,16 @@ const DatasetFormat& recognise_format(const Path& folder, const DatasetOptions& 
                                        dataset_formats()));
 }
 
+/// Returns what choose_camera() does. Throws CameraError.
+ChosenCamera known_camera(const Path& folder, const DatasetOptions& options,
+                          const DatasetFormat& format, const Sequence& sequence) {
+  try {
+    return choose_camera(folder, options.camera, format, sequence);
+  } catch (const InputError& error) {
+    throw CameraError(error);
+  }
+}
+
 /// Reads the frames of a Sequence from their files when asked for.
 class SequenceDataset final : public Dataset {
  public:
@@ -116,7 +126,7 @@ std::unique_ptr<Dataset> open_dataset(const Path& folder, const DatasetOptions& 
   PairingOptions pairing = {options.associations, options.max_stamp_difference,
                             options.depth_offset.value_or(0)};
   Sequence sequence = format.open(folder, pairing);
-  ChosenCamera camera = choose_camera(folder, options.camera, format, sequence);
+  ChosenCamera camera = known_camera(folder, options, format, sequence);
   if (options.depth_offset) camera.camera.depth_offset = options.depth_offset;
   const double depth_offset = camera.camera.depth_offset.value_or(0);
   if (depth_offset != pairing.depth_offset) {  // the camera's own

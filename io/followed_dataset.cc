@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "cvo_slam/core/error.h"
+#include "cvo_slam/io/dataset/camera_choice_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -25,18 +26,22 @@ constexpr std::chrono::milliseconds kLongestWait(50);  // file systems of a netw
 constexpr std::chrono::seconds kPatience(1);           // with images that cannot be read
 constexpr int kShareOfOpening = 10;  // opening takes at most one in so many seconds
 
+/// Returns true for lists of images, which grow; the poses of 7-Scenes are files of one frame each.
 bool is_list(const fs::path& file) {
-  return file.extension() == ".txt" || file.extension() == ".csv";
+  return (file.extension() == ".txt" && file.stem().extension() != ".pose") ||
+         file.extension() == ".csv";
 }
 
 /// Returns a text that is another one when a file was added to the folder or to one below it, or a
-/// list there has grown.
-std::string state_of(const fs::path& folder) {
+/// list has grown: one in the folder, or the one that pairs the images.
+std::string state_of(const fs::path& folder, const std::optional<fs::path>& associations) {
   std::error_code error;
   const auto time_of = [&](const fs::path& path) {
     return fs::last_write_time(path, error).time_since_epoch().count();
   };
   std::string state = fmt::format("{}", time_of(folder));
+  if (associations) state += fmt::format(",{}", fs::file_size(*associations, error));
+  error.clear();
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code ignored;
@@ -81,7 +86,8 @@ class FollowedDataset::FolderWatch {
 
  private:
   void add_one(const fs::path& folder) const {
-    constexpr std::uint32_t kChanges = IN_CREATE | IN_MOVED_TO | IN_CLOSE_WRITE | IN_MODIFY;
+    // A line that is added to a list that stays open is seen at the next look.
+    constexpr std::uint32_t kChanges = IN_CREATE | IN_MOVED_TO | IN_CLOSE_WRITE;
     static_cast<void>(inotify_add_watch(events_, folder.c_str(), kChanges));
   }
 
@@ -101,11 +107,16 @@ FollowedDataset::FollowedDataset(fs::path folder, DatasetOptions options, Follow
     try {
       refresh();
       if (newest_) break;
+    } catch (const CameraError&) {
+      // Its file may come a moment after the images, but not in an hour.
+      if (!first_try_) first_try_ = Clock::now();
+      if (Clock::now() - *first_try_ >= kPatience || has_ended() || is_stopped()) throw;
     } catch (const InputError&) {
       if (has_ended() || is_stopped()) throw;
     }
     watch_->wait();
   }
+  first_try_.reset();
   camera_origin_ = newest_->camera_origin();
   options_.camera = newest_->camera();  // found once; the images need not be asked again
 }
@@ -115,14 +126,11 @@ FollowedDataset::~FollowedDataset() = default;
 std::optional<RgbdFrame> FollowedDataset::next() {
   while (!is_stopped()) {
     refresh();
-    bool ended = has_ended();
-    if (ended && next_position() + 1 >= newest_->size()) {
-      // Files that came within a tick of the clock of file times after the last look were not seen.
-      reopen();
-      ended = has_ended();
-    }
+    const bool ended = has_ended();
+    // Files that came within a tick of the clock of file times after the last look were not seen.
+    if (ended && next_position() + 1 >= newest_->size()) reopen();
     const std::size_t position = next_position();
-    if (position < newest_->size() && (position + 1 < newest_->size() || ended)) {
+    if (position < newest_->size() && (ended || is_settled(position))) {
       RgbdFrame frame = newest_->read(position);
       const auto now = Clock::now();
       if (!first_try_) first_try_ = now;
@@ -159,7 +167,7 @@ bool FollowedDataset::has_ended() const {
 }
 
 void FollowedDataset::refresh() {
-  std::string state = state_of(folder_);
+  std::string state = state_of(folder_, options_.associations);
   if (state != state_) {
     state_ = std::move(state);
     last_change_ = Clock::now();
@@ -174,11 +182,19 @@ void FollowedDataset::refresh() {
 void FollowedDataset::reopen() {
   const auto start = Clock::now();
   try {
-    newest_ = open_dataset(folder_, options_);
+    auto data = open_dataset(folder_, options_);
+    is_current_ = true;
+    if (!stamps_.empty() && data->kind() != newest_->kind()) {
+      note(
+          fmt::format("the folder looks like {} now, and like {} when its first frame was read: it "
+                      "is followed as that",
+                      data->kind(), newest_->kind()));
+      return;
+    }
+    newest_ = std::move(data);
     notes_ = newest_->notes();
     newest_stamps_.resize(newest_->size());
     for (std::size_t i = 0; i < newest_->size(); ++i) newest_stamps_[i] = newest_->stamp(i);
-    is_current_ = true;
   } catch (const InputError& error) {
     if (!newest_) throw;
     if (has_ended()) note(fmt::format("the last files could not be read: {}", error.what()));
@@ -190,8 +206,18 @@ void FollowedDataset::note(const std::string& text) {
   if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
 }
 
+/// Returns true if no later image can take a partner of the frame away: each may be as far from it
+/// as a partner may be, and so on.
+bool FollowedDataset::is_settled(std::size_t position) const {
+  constexpr double kLinks = 4;
+  return seconds_between(newest_stamps_[position], newest_stamps_.back()) >
+         kLinks * options_.max_stamp_difference;
+}
+
 std::size_t FollowedDataset::next_position() const {
-  return stamps_.empty() ? 0 : position_of(stamps_.size() - 1) + 1;
+  if (stamps_.empty()) return 0;
+  const auto next = std::upper_bound(newest_stamps_.begin(), newest_stamps_.end(), stamps_.back());
+  return static_cast<std::size_t>(next - newest_stamps_.begin());
 }
 
 std::size_t FollowedDataset::position_of(std::size_t index) const {

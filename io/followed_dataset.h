@@ -31,11 +31,11 @@ struct FollowOptions {
 ///     FollowedDataset frames(folder);
 ///     while (const auto frame = frames.next()) slam.track(*frame);
 ///
-/// A frame is returned when there is a later one, so that its partner is known and its images are
-/// whole; the last one when the recording has ended. Images that cannot be read are tried again for
-/// a second. A frame that appears after one with a later stamp is left out, with a note. next() is
-/// for one thread at a time, while no other function runs; it ends the life of references that the
-/// others returned, except camera().
+/// A frame is returned when there are images so much later that none can be paired otherwise any
+/// more (a tenth of a second), the last ones when the recording has ended. Images that cannot be
+/// read are tried again for a second. A frame that appears after one with a later stamp is left
+/// out, with a note. next() is for one thread at a time, while no other function runs; it ends the
+/// life of references that the others returned, except camera().
 class FollowedDataset final : public Dataset, public FrameSource {
  public:
   /// Waits for a folder that open_dataset() can open. Throws what that throws if there is none
@@ -71,6 +71,7 @@ class FollowedDataset final : public Dataset, public FrameSource {
   void reopen();
   /// Adds a note that is not there yet.
   void note(const std::string& text);
+  [[nodiscard]] bool is_settled(std::size_t position) const;
   /// Returns the position in newest_ of its first frame after those that were returned.
   [[nodiscard]] std::size_t next_position() const;
   /// Returns the position in newest_ of a frame that was returned.

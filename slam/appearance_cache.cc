@@ -13,7 +13,10 @@ std::shared_ptr<const Appearance> AppearanceCache::of(const RgbdFrame& images) {
     const auto known = std::find_if(newest_.begin(), newest_.end(), [&](const auto& appearance) {
       return appearance->id == images.index;
     });
-    if (known != newest_.end()) return *known;
+    if (known != newest_.end()) {
+      std::rotate(known, known + 1, newest_.end());  // asked for last
+      return newest_.back();
+    }
   }
   auto appearance = detector_.extract(images);  // may be done twice: the results are the same
   constexpr std::size_t kMost = 4;  // a keyframe, the frame after it, and the map's delay

@@ -61,7 +61,7 @@ struct SlamObserver {
   /// Called by each track() with the record that it is about to return.
   std::function<void(const FrameRecord&)> frame = {};
   /// Called before that with keyframes that an optimisation has moved, each with its new pose:
-  /// those near the newest one now and then, all of a submap when a loop was closed. Corrections
+  /// those near the newest one now and then, all when a loop was closed. Corrections
   /// come with the delay of track() (SlamOptions::correction_delay), and in finish() without.
   std::function<void(const std::vector<Keyframe>&)> correction = {};
 };

@@ -15,6 +15,12 @@
 
 namespace cvo_slam {
 
+/// What is wrong with a sequence is that its camera is not known.
+class CameraError : public InputError {
+ public:
+  explicit CameraError(const InputError& error) : InputError(error) {}
+};
+
 struct ChosenCamera {
   Camera camera;
   std::string origin;  ///< why this one, for people

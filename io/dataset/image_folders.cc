@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A folder of colour and a folder of depth images without lists, as many recorders and exporters
-// write them. The last number in the name of a file says when it was taken.
+// write them. A number in the name of a file says when it was taken.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -34,6 +34,7 @@ struct NameUnit {
   int decimals = 0;  // of a stamp
 };
 
+constexpr double kLatest = 4e9;  // [s], in 2096
 constexpr NameUnit kSeconds = {"seconds", 1, 0};
 constexpr NameUnit kFrames = {"frames", 30, 6};
 constexpr std::array<NameUnit, 4> kClockUnits = {
@@ -41,45 +42,80 @@ constexpr std::array<NameUnit, 4> kClockUnits = {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Returns the last number of a name without its extension, with its fraction: "0012" of
-/// "frame_0012", "1305031102.175" of "rgb-1305031102.175"; empty if there is none.
-std::string_view last_number(std::string_view stem) {
-  std::size_t end = stem.size();
-  while (end > 0 && !is_digit(stem[end - 1])) --end;
-  std::size_t begin = end;
-  bool has_point = false;
-  while (begin > 0) {
-    const bool is_point = stem[begin - 1] == '.' && !has_point && begin > 1 &&
-                          is_digit(stem[begin - 2]) && begin < end;
-    if (!is_digit(stem[begin - 1]) && !is_point) break;
-    has_point = has_point || is_point;
-    --begin;
+/// Returns the numbers of a name, each with its fraction: "3", "0012" of "cam3_frame_0012",
+/// "1305031102.175" of "rgb-1305031102.175".
+std::vector<std::string> numbers_of(std::string_view stem) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < stem.size();) {
+    if (!is_digit(stem[i])) {
+      ++i;
+      continue;
+    }
+    bool has_point = false;
+    std::size_t end = i;
+    for (; end < stem.size(); ++end) {
+      const bool is_point =
+          stem[end] == '.' && !has_point && end + 1 < stem.size() && is_digit(stem[end + 1]);
+      if (!is_digit(stem[end]) && !is_point) break;
+      has_point = has_point || is_point;
+    }
+    numbers.emplace_back(stem.substr(i, end - i));
+    i = end;
   }
-  return stem.substr(begin, end - begin);
+  return numbers;
 }
 
-/// The images of a folder by the number in their names.
+/// The images of a folder by the number in their names that says when they were taken: the last one
+/// that is not the same in all.
 struct NumberedImages {
   Path folder;
   std::vector<std::pair<std::string, Path>> images;
   std::size_t without_number = 0;
 };
 
+struct NamedImage {
+  Path file;
+  std::vector<std::string> numbers;
+};
+
+/// Returns the place of the last number that is not the same in all names; of the last one if all
+/// are. Names without a number there do not count.
+std::size_t place_of_number(const std::vector<NamedImage>& names, std::size_t places) {
+  for (std::size_t place = places; place-- > 0;) {
+    const std::string& first = names.front().numbers[place];
+    if (std::any_of(names.begin(), names.end(), [&](const NamedImage& name) {
+          return name.numbers.size() == places && name.numbers[place] != first;
+        })) {
+      return place;
+    }
+  }
+  return places - 1;
+}
+
 NumberedImages list_images(const Path& folder) {
   NumberedImages result{folder, {}, 0};
+  std::vector<NamedImage> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const Path& file = entry.path();
     if (!has_image_extension(file.filename().string())) continue;
-    const std::string stem = file.stem().string();
-    const std::string_view number = last_number(stem);
-    if (number.empty()) {
+    names.push_back({file, numbers_of(file.stem().string())});
+    if (names.back().numbers.empty()) {
+      names.pop_back();
       ++result.without_number;
-    } else {
-      result.images.emplace_back(number, file);
     }
   }
-  std::sort(result.images.begin(), result.images.end(),
-            [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (names.empty()) return result;
+  std::sort(names.begin(), names.end(),
+            [](const NamedImage& a, const NamedImage& b) { return a.file < b.file; });
+  const std::size_t places = names.front().numbers.size();
+  const std::size_t place = place_of_number(names, places);
+  for (const NamedImage& name : names) {
+    if (name.numbers.size() == places) {
+      result.images.emplace_back(name.numbers[place], name.file);
+    } else {
+      ++result.without_number;
+    }
+  }
   return result;
 }
 
@@ -87,7 +123,6 @@ NumberedImages list_images(const Path& folder) {
 /// from 1980 to 2096 in one of the units, is a stamp; others number the frames.
 NameUnit unit_of(const NumberedImages& images) {
   constexpr double kEarliest = 3.2e8;
-  constexpr double kLatest = 4e9;
   const auto& numbers = images.images;
   if (std::any_of(numbers.begin(), numbers.end(),
                   [](const auto& image) { return image.first.find('.') != std::string::npos; })) {
@@ -104,11 +139,9 @@ NameUnit unit_of(const NumberedImages& images) {
 std::optional<Timestamp> stamp_of_number(std::string_view number, const NameUnit& unit) {
   if (unit.per_second == 1) return Timestamp::parse(number);
   const auto count = parse_integer<std::int64_t>(number);
-  if (!count) return std::nullopt;
+  if (!count || static_cast<double>(*count) > kLatest * unit.per_second) return std::nullopt;
   if (unit.name == kFrames.name) {
-    constexpr std::int64_t kMost = 1'000'000'000;
     constexpr std::int64_t kMicrosecond = 1000;
-    if (*count > kMost) return std::nullopt;
     return Timestamp(
         std::llround(static_cast<double>(*count) * 1e6 / unit.per_second) * kMicrosecond,
         unit.decimals);
@@ -142,6 +175,11 @@ bool has_image(const Path& folder) {
 
 /// Returns the folder of the colour images; empty if there is none, or none of depth images.
 std::optional<Path> color_folder(const Path& folder) {
+  // A recorder that writes lists has not written both yet.
+  if (std::filesystem::exists(folder / "rgb.txt") ||
+      std::filesystem::exists(folder / "depth.txt")) {
+    return std::nullopt;
+  }
   if (!has_image(folder / "depth")) return std::nullopt;
   for (const char* name : {"rgb", "color", "colour", "images", "image"}) {
     if (has_image(folder / name)) return folder / name;
@@ -152,9 +190,10 @@ std::optional<Path> color_folder(const Path& folder) {
 void add_notes(const NumberedImages& images, std::size_t used, Sequence& sequence) {
   const std::string name = images.folder.filename().string();
   if (images.without_number > 0) {
-    sequence.notes.push_back(
-        fmt::format("{}: {} images have no number in their names and are left out", name,
-                    images.without_number));
+    sequence.notes.push_back(fmt::format(
+        "{}: {} images have no number in their names, or not as many as the others, and "
+        "are left out",
+        name, images.without_number));
   }
   if (used < images.images.size()) {
     sequence.notes.push_back(

@@ -86,15 +86,17 @@ TEST_F(FollowRun, WhatNeedsTheWholeRecordingIsRefused) {
 TEST_F(FollowRun, AnInterruptEndsIt) {
   const auto file = sequence_.folder().path();
   const std::string script = fmt::format(
-      "'{0}' run '{1}' --follow --end-after 1000 --quiet --out '{2}' & "
+      "'{0}' run '{1}' --follow --end-after 60 --quiet --out '{2}' & "
       "for i in $(seq 1000); do [ -e '{2}/trajectory.txt' ] && break; sleep 0.01; done; "
       "sleep 0.3; kill -INT $!; wait $!",
       CVO_SLAM_PROGRAM, sequence_.path().string(), out().string());
   const int status = std::system(script.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_TRUE(std::filesystem::exists(out() / "report.json"));
+  // It listens before it says that it waits.
   const std::string waiting = fmt::format(
-      "'{0}' run '{1}/none' --follow --end-after 1000 --quiet & sleep 0.3; kill -INT $!; wait $!",
+      "'{0}' run '{1}/none' --follow --end-after 60 2> '{1}/said' & for i in $(seq 1000); do "
+      "grep -q waiting '{1}/said' && break; sleep 0.01; done; kill -INT $!; wait $!",
       CVO_SLAM_PROGRAM, file.string());
   EXPECT_EQ(WEXITSTATUS(std::system(waiting.c_str())), 130);
 }

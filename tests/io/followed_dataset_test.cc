@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/followed_dataset.h"
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <future>
@@ -36,7 +37,7 @@ class FollowedDatasetTest : public testing::Test {
     append(sequence_.path() / "rgb.txt", fmt::format("{}.10 rgb/{}\n", number, name));
     append(sequence_.path() / "depth.txt", fmt::format("{}.11 depth/{}\n", number, name));
   }
-  [[nodiscard]] FollowedDataset follow(double end_after = 0.3) const {
+  [[nodiscard]] FollowedDataset follow(double end_after = 1) const {
     return FollowedDataset(sequence_.path(), {.camera = tiny_camera()}, {.end_after = end_after});
   }
   TinySequence sequence_;
@@ -94,11 +95,13 @@ TEST_F(FollowedDatasetTest, WithoutAnyFrameItSaysWhatIsMissing) {
 
 TEST_F(FollowedDatasetTest, StopsWhenItIsTold) {
   record(0);
-  bool stop = false;
+  std::atomic<bool> stop = false;
   FollowedDataset frames(sequence_.path(), {.camera = tiny_camera()},
-                         {.end_after = 1000, .stop = [&] { return stop; }});
-  const auto user = std::async(std::launch::async, [&] { stop = true; });
-  user.wait();
+                         {.end_after = 1000, .stop = [&] { return stop.load(); }});
+  const auto user = std::async(std::launch::async, [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop = true;
+  });
   EXPECT_FALSE(frames.next());
 }
 
@@ -143,6 +146,61 @@ TEST_F(FollowedDatasetTest, AListThatEndsWithinALineIsReadAgain) {
   EXPECT_EQ(frames.next()->problem, "");
   EXPECT_FALSE(frames.next());
   EXPECT_THAT(frames.notes(), SizeIs(1));  // there is no ground truth
+}
+
+// A depth image that is nearer comes after the frame that would have taken the other one.
+TEST_F(FollowedDatasetTest, PairsAreThoseOfTheFinishedRecording) {
+  for (const char* name : {"0", "1", "2", "3"}) {
+    sequence_.write_color(fmt::format("rgb/{}.png", name));
+    sequence_.write_depth(fmt::format("depth/{}.png", name));
+  }
+  sequence_.write("rgb.txt", "1.000 rgb/0.png\n1.035 rgb/1.png\n");
+  sequence_.write("depth.txt", "0.981 depth/0.png\n1.018 depth/1.png\n");
+  auto frames = follow();
+  const auto recorder = std::async(std::launch::async, [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    append(sequence_.path() / "depth.txt", "1.045 depth/2.png\n2.000 depth/3.png\n");
+    append(sequence_.path() / "rgb.txt", "2.000 rgb/2.png\n");
+  });
+  const auto first = frames.next();
+  ASSERT_TRUE(first);
+  recorder.wait();
+  EXPECT_EQ(first->depth_stamp, sequence_.open()->depth_stamp(0));
+  EXPECT_EQ(frames.depth_stamp(0), first->depth_stamp);
+}
+
+TEST_F(FollowedDatasetTest, ACameraThatIsNotKnownIsSaidWhileTheRecordingGoesOn) {
+  record(0);
+  record(1);
+  std::atomic<bool> stop = false;
+  const auto recorder = std::async(std::launch::async, [&] {
+    for (int i = 2; i < 100 && !stop; ++i) {
+      record(i);
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+  });
+  EXPECT_THAT(
+      input_error(sequence_.path(), [&] { return FollowedDataset(sequence_.path()).size(); }),
+      HasSubstr("--camera"));
+  stop = true;
+}
+
+TEST_F(FollowedDatasetTest, TheLayoutOfTheFirstFrameStays) {
+  for (int i = 0; i < 8; ++i) {
+    sequence_.write_color(fmt::format("rgb/{}.png", i));
+    sequence_.write_depth(fmt::format("depth/{}.png", i));
+  }
+  auto frames = follow();
+  ASSERT_TRUE(frames.next());
+  for (int i = 0; i < 8; ++i) {
+    append(sequence_.path() / "rgb.txt", fmt::format("{}.5 rgb/{}.png\n", 1000 + i, i));
+    append(sequence_.path() / "depth.txt", fmt::format("{}.5 depth/{}.png\n", 1000 + i, i));
+  }
+  std::size_t count = 1;
+  while (frames.next()) ++count;
+  EXPECT_EQ(count, 8U);
+  EXPECT_EQ(frames.kind(), "image folders");
+  EXPECT_THAT(frames.notes().back(), HasSubstr("it is followed as that"));
 }
 
 TEST_F(FollowedDatasetTest, FramesOutOfOrderAreLeftOutAndSaid) {

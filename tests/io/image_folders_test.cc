@@ -60,6 +60,13 @@ TEST(ImageFolders, TakesTheLastNumberOfAName) {
   EXPECT_THAT(data.stamps, ElementsAre("0.100000", "0.200000"));
 }
 
+// The last number would be the same in all.
+TEST(ImageFolders, TakesTheLastNumberThatDiffers) {
+  const auto data = open_names({"rgb/frame_0003_rgb8.png", "rgb/frame_0006_rgb8.png"},
+                               {"depth/frame_0003_z16.png", "depth/frame_0006_z16.png"});
+  EXPECT_THAT(data.stamps, ElementsAre("0.100000", "0.200000"));
+}
+
 TEST(ImageFolders, NumbersWithAFractionAreSeconds) {
   const auto data = open_names({"rgb/1305031102.1753.png", "rgb/1305031102.2111.png"},
                                {"depth/1305031102.1604.png", "depth/1305031102.2263.png"});
@@ -91,6 +98,18 @@ TEST(ImageFolders, SaysWhatCannotBePaired) {
   EXPECT_THAT(open_problem({"rgb/1.png"}, {"depth/2.png"}), HasSubstr("within 0.02 s"));
   EXPECT_THAT(open_problem({"rgb/99999999999999999999999.png"}, {"depth/1.png"}),
               HasSubstr("is no time in frames"));
+  EXPECT_THAT(open_problem({"rgb/1403636579763.png", "rgb/9223372036854775807.png"},
+                           {"depth/1403636579763.png"}),
+              HasSubstr("is no time in milliseconds"));
+}
+
+TEST(ImageFolders, AreNotReadWhileAListIsMissing) {
+  const TinySequence sequence;
+  sequence.write("rgb.txt", "0.1 rgb/1.png\n");
+  sequence.write_color("rgb/1.png");
+  sequence.write_depth("depth/1.png");
+  EXPECT_THAT(input_error(sequence.path(), [&] { return sequence.open(); }),
+              HasSubstr("is no known data set"));
 }
 
 TEST(ImageFolders, ListsComeFirst) {
