@@ -161,7 +161,8 @@ void bind_slam(py::module_& module) {
           py::arg("frame") = py::none(), py::arg("correction") = py::none(),
           "From now on calls frame(record) in each track(), and before that correction(keyframes) "
           "when an optimisation has moved keyframes. They must not call this object; what they "
-          "raise, track() and finish() raise after their work is done. Functions that hold this object "
+          "raise, track() and finish() raise after their work is done. Functions that hold this "
+          "object "
           "keep it alive until observe() is called without them.")
       .def(
           "trajectory",
