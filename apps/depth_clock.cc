@@ -80,8 +80,7 @@ FollowedSequence open_followed(const DatasetArguments& arguments, const FollowOp
   if (arguments.depth_offset == kMeasuredDepthOffset) {
     throw OptionError(
         "--depth-offset measure needs a whole recording, and --follow reads one that is still "
-        "being "
-        "written; give the offset in seconds");
+        "being written; give the offset in seconds");
   }
   const DatasetOptions dataset_options = arguments.dataset_options();
   FollowedSequence result{

@@ -182,24 +182,29 @@ void FollowedDataset::refresh() {
 void FollowedDataset::reopen() {
   const auto start = Clock::now();
   try {
-    auto data = open_dataset(folder_, options_);
+    take_over(open_dataset(folder_, options_));
     is_current_ = true;
-    if (!stamps_.empty() && data->kind() != newest_->kind()) {
-      note(
-          fmt::format("the folder looks like {} now, and like {} when its first frame was read: it "
-                      "is followed as that",
-                      data->kind(), newest_->kind()));
-      return;
-    }
-    newest_ = std::move(data);
-    notes_ = newest_->notes();
-    newest_stamps_.resize(newest_->size());
-    for (std::size_t i = 0; i < newest_->size(); ++i) newest_stamps_[i] = newest_->stamp(i);
   } catch (const InputError& error) {
     if (!newest_) throw;
     if (has_ended()) note(fmt::format("the last files could not be read: {}", error.what()));
   }
   next_opening_ = Clock::now() + kShareOfOpening * (Clock::now() - start);
+}
+
+/// Replaces the newest opening, unless the folder has got another layout since frames were
+/// returned.
+void FollowedDataset::take_over(std::unique_ptr<Dataset> data) {
+  if (!stamps_.empty() && data->kind() != newest_->kind()) {
+    note(fmt::format(
+        "the folder looks like {} now, and like {} when its first frame was read: it is "
+        "followed as that",
+        data->kind(), newest_->kind()));
+    return;
+  }
+  newest_ = std::move(data);
+  notes_ = newest_->notes();
+  newest_stamps_.resize(newest_->size());
+  for (std::size_t i = 0; i < newest_->size(); ++i) newest_stamps_[i] = newest_->stamp(i);
 }
 
 void FollowedDataset::note(const std::string& text) {

@@ -69,6 +69,7 @@ class FollowedDataset final : public Dataset, public FrameSource {
   /// Looks at the folder, and opens it again if something has changed.
   void refresh();
   void reopen();
+  void take_over(std::unique_ptr<Dataset> data);
   /// Adds a note that is not there yet.
   void note(const std::string& text);
   [[nodiscard]] bool is_settled(std::size_t position) const;

@@ -40,20 +40,15 @@ std::string stamp_problem(std::string_view word) {
   if (has_decimal_comma(word)) {
     return fmt::format("{} has a decimal comma; write stamps with a point", in_quotes(word));
   }
-  // The years 1980 to 2096: those that a clock may show, counted in another unit.
-  constexpr double kEarliest = 3.2e8;
-  constexpr double kLatest = 4e9;
-  constexpr std::array<std::pair<double, const char*>, 3> kUnits = {
-      {{1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}};
   const double value = std::fabs(parse_finite(word).value_or(0));
-  for (const auto& [unit, name] : kUnits) {
-    if (value / unit < kEarliest || value / unit > kLatest) continue;
+  const auto unit = clock_unit_of(value);
+  if (unit && unit->per_second > 1) {
     return fmt::format(
         "{} is a time in {}, and stamps are in seconds; divide those of this file "
         "by {:.0f}",
-        in_quotes(word), name, unit);
+        in_quotes(word), unit->name, unit->per_second);
   }
-  if (value > kLatest) {
+  if (value > kLatestStamp) {
     return fmt::format(
         "{} is no time in seconds: it is after the year 2096; convert the stamps of "
         "this file from milliseconds or nanoseconds to seconds",
@@ -66,6 +61,19 @@ std::string stamp_problem(std::string_view word) {
 }
 
 }  // namespace
+
+std::optional<ClockUnit> clock_unit_of(double number) {
+  constexpr double kEarliest = 3.2e8;  // [s]
+  constexpr std::array<ClockUnit, 4> kUnits = {{{"seconds", 1, 0},
+                                                {"milliseconds", 1e3, 3},
+                                                {"microseconds", 1e6, 6},
+                                                {"nanoseconds", 1e9, 9}}};
+  for (const ClockUnit& unit : kUnits) {
+    const double seconds = number / unit.per_second;
+    if (seconds >= kEarliest && seconds <= kLatestStamp) return unit;
+  }
+  return std::nullopt;
+}
 
 bool has_decimal_comma(std::string_view text) {
   const std::size_t comma = text.find(',');

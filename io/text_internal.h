@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,20 @@
 #include "cvo_slam/core/timestamp.h"
 
 namespace cvo_slam {
+
+/// What a number of a clock counts.
+struct ClockUnit {
+  std::string_view name;  ///< for people
+  double per_second = 0;
+  int decimals = 0;  ///< of a stamp
+};
+
+/// The year 2096: the latest stamp [s].
+inline constexpr double kLatestStamp = 4e9;
+
+/// Returns the unit, from seconds to nanoseconds, in which a number is a time of the years 1980 to
+/// 2096; empty if there is none.
+std::optional<ClockUnit> clock_unit_of(double number);
 
 /// Returns true for a number with a comma in place of its point, as "0,5".
 bool has_decimal_comma(std::string_view text);

@@ -4,7 +4,6 @@
 // A folder of colour and a folder of depth images without lists, as many recorders and exporters
 // write them. A number in the name of a file says when it was taken.
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -21,24 +20,15 @@
 #include "cvo_slam/core/numbers.h"
 #include "cvo_slam/io/dataset/formats_internal.h"
 #include "cvo_slam/io/dataset/image_lists_internal.h"
+#include "cvo_slam/io/text_internal.h"
 
 namespace cvo_slam {
 namespace {
 
 using Path = std::filesystem::path;
 
-/// What the numbers in the names of images count.
-struct NameUnit {
-  std::string_view name;  // for people
-  double per_second = 0;
-  int decimals = 0;  // of a stamp
-};
-
-constexpr double kLatest = 4e9;  // [s], in 2096
-constexpr NameUnit kSeconds = {"seconds", 1, 0};
-constexpr NameUnit kFrames = {"frames", 30, 6};
-constexpr std::array<NameUnit, 4> kClockUnits = {
-    {kSeconds, {"milliseconds", 1e3, 3}, {"microseconds", 1e6, 6}, {"nanoseconds", 1e9, 9}}};
+/// Of names that number the frames.
+constexpr ClockUnit kFrames = {"frames", 30, 6};
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -121,25 +111,20 @@ NumberedImages list_images(const Path& folder) {
 
 /// Returns what the numbers of a folder count. A number with a fraction, and one that is a time
 /// from 1980 to 2096 in one of the units, is a stamp; others number the frames.
-NameUnit unit_of(const NumberedImages& images) {
-  constexpr double kEarliest = 3.2e8;
+ClockUnit unit_of(const NumberedImages& images) {
   const auto& numbers = images.images;
   if (std::any_of(numbers.begin(), numbers.end(),
                   [](const auto& image) { return image.first.find('.') != std::string::npos; })) {
-    return kSeconds;
+    return {"seconds", 1, 0};
   }
-  const double value = parse_finite(numbers.front().first).value_or(0);
-  for (const NameUnit& unit : kClockUnits) {
-    if (value / unit.per_second >= kEarliest && value / unit.per_second <= kLatest) return unit;
-  }
-  return kFrames;
+  return clock_unit_of(parse_finite(numbers.front().first).value_or(0)).value_or(kFrames);
 }
 
 /// Returns the stamp that a number means; empty if it is none.
-std::optional<Timestamp> stamp_of_number(std::string_view number, const NameUnit& unit) {
+std::optional<Timestamp> stamp_of_number(std::string_view number, const ClockUnit& unit) {
   if (unit.per_second == 1) return Timestamp::parse(number);
   const auto count = parse_integer<std::int64_t>(number);
-  if (!count || static_cast<double>(*count) > kLatest * unit.per_second) return std::nullopt;
+  if (!count || static_cast<double>(*count) > kLatestStamp * unit.per_second) return std::nullopt;
   if (unit.name == kFrames.name) {
     constexpr std::int64_t kMicrosecond = 1000;
     return Timestamp(
@@ -150,7 +135,7 @@ std::optional<Timestamp> stamp_of_number(std::string_view number, const NameUnit
 }
 
 /// Returns the images in ascending order of their stamps; of equal ones the first.
-std::vector<StampedFile> stamped(const NumberedImages& images, const NameUnit& unit) {
+std::vector<StampedFile> stamped(const NumberedImages& images, const ClockUnit& unit) {
   std::map<Timestamp, Path> files;
   for (const auto& [number, file] : images.images) {
     const auto stamp = stamp_of_number(number, unit);
@@ -210,8 +195,8 @@ Sequence open_image_folders(const Path& folder, const PairingOptions& options) {
                      "the images have no number in their names, so that it is not known "
                      "when they were taken; list them in rgb.txt and depth.txt");
   }
-  const NameUnit unit = unit_of(color_images);
-  const NameUnit depth_unit = unit_of(depth_images);
+  const ClockUnit unit = unit_of(color_images);
+  const ClockUnit depth_unit = unit_of(depth_images);
   if (unit.name != depth_unit.name) {
     throw InputError(folder,
                      fmt::format("the names of the colour images count {} and those of the depth "
