@@ -190,6 +190,8 @@ Json json_of(const GraphResult& result) {
           {"full_solves", statistics.full_solves},
           {"full_s", statistics.full_seconds},
           {"keyframes_mb", static_cast<double>(statistics.keyframe_bytes) / kBytesOfMegabyte},
+          {"redundant_keyframes", statistics.redundant_keyframes},
+          {"dropped_keyframes", statistics.dropped_keyframes},
           {"last_full",
            {{"initial_cost", last.initial_cost},
             {"final_cost", last.final_cost},

@@ -197,6 +197,7 @@ int run(const RunArguments& arguments) {
   }
   ProgramOptions options = arguments.tracking.options();
   options.slam.loops.enabled = arguments.mode == "slam";
+  options.slam.loops.keep_rejected_matches |= arguments.loop_pictures == LoopPictures::kAll;
   if (arguments.dump_config) {
     fmt::print("{}", options_to_yaml(describe(options), true));
     return kDone;

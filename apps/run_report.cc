@@ -37,6 +37,19 @@ std::string share_of_keyframes(const GraphResult& graph) {
                      graph.keyframes.size());
 }
 
+/// What became of the keyframes that the map has no more; empty if it has all.
+std::string removed_keyframes(const GraphResult& graph) {
+  const GraphStatistics& statistics = graph.statistics;
+  std::string text;
+  if (statistics.redundant_keyframes > 0) {
+    text += fmt::format(", {} removed as redundant", statistics.redundant_keyframes);
+  }
+  if (statistics.dropped_keyframes > 0) {
+    text += fmt::format(", {} dropped for culling.max_memory", statistics.dropped_keyframes);
+  }
+  return text;
+}
+
 std::string error_rows(const EvaluationReport& evaluation) {
   std::string rows;
   if (evaluation.ate) {
@@ -113,7 +126,8 @@ std::string to_table(const RunReport& report) {
                     100 * static_cast<double>(localized) / static_cast<double>(run.records.size()),
                     localized, run.records.size());
   }
-  table += fmt::format("{:<12} {}\n", "keyframes", run.keyframes());
+  table += fmt::format("{:<12} {}{}\n", "keyframes", run.keyframes(),
+                       report.graph ? removed_keyframes(*report.graph) : "");
   if (report.graph) table += to_table(*report.graph);
   if (report.map.has_points) {
     table += fmt::format("{:<12} {} points, made and drawn in {:.1f} s of CPU\n", "map",

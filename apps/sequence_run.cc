@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 #include <ctime>
+#include <set>
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -38,16 +39,23 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts kibibytes
 }
 
-/// Gives frames to `track`, and calls `finish` after the last one.
-OdometryRun run_frames(const FrameStream& stream,
-                       const std::function<FrameRecord(const RgbdFrame&)>& track,
-                       const std::function<void()>& finish, const RunControl& control) {
+/// What goes through the frames.
+struct FrameConsumer {
+  std::function<FrameRecord(const RgbdFrame&)> track;
+  std::function<void()> finish;                          // after the last frame
+  std::function<void(std::vector<SampledFrame>&)> thin;  // drops what the map does without
+};
+
+OdometryRun run_frames(const FrameStream& stream, const FrameConsumer& consumer,
+                       const RunControl& control) {
   Progress progress(stream.count, control.quiet);
   OdometryRun run;
   const auto start = Clock::now();
   const double cpu_start = process_cpu_seconds();
   constexpr std::size_t kFirstFrames = 10;  // of which one at least has images, or none ever has
   std::size_t problems = 0;
+  constexpr std::size_t kKeptBeforeThinning = 500;  // 85 MB of a Kinect's
+  std::size_t most_kept = kKeptBeforeThinning;
   while (!InterruptGuard::requested() &&
          !(problems == kFirstFrames && problems == run.records.size())) {
     const auto wait_start = Clock::now();
@@ -58,21 +66,34 @@ OdometryRun run_frames(const FrameStream& stream,
     const auto track_start = Clock::now();
     run.costs.push_back(
         {std::chrono::duration<double, std::milli>(track_start - wait_start).count(), 0});
-    run.records.push_back(track(frame));
+    run.records.push_back(consumer.track(frame));
     run.costs.back().track_ms = milliseconds_since(track_start);
     if (control.kept_pixel_step > 0 && !run.records.back().keyframe_reason.empty()) {
       run.kept_keyframes.push_back(sample_frame(frame, control.kept_pixel_step));
     }
+    if (run.kept_keyframes.size() >= most_kept) {
+      consumer.thin(run.kept_keyframes);
+      most_kept = std::max(kKeptBeforeThinning, 2 * run.kept_keyframes.size());
+    }
     progress.update(run.records.size(),
                     run.records.back().status == TrackingStatus::kTracked ? "tracked" : "lost");
   }
-  finish();
+  consumer.finish();
   run.unusable = problems > 0 && problems == run.records.size();
   run.seconds = milliseconds_since(start) / 1e3;
   run.cpu_seconds = process_cpu_seconds() - cpu_start;
   run.signal = InterruptGuard::signal();
   run.peak_memory_mb = peak_memory_mb();
   return run;
+}
+
+/// Drops the keyframes that the map has removed since; it does not have the newest ones yet.
+void drop_removed(const std::vector<Keyframe>& in_map, std::vector<SampledFrame>& kept) {
+  std::set<Timestamp> stamps;
+  for (const Keyframe& keyframe : in_map) stamps.insert(keyframe.stamp);
+  std::erase_if(kept, [&](const SampledFrame& frame) {
+    return frame.stamp < in_map.back().stamp && !stamps.contains(frame.stamp);
+  });
 }
 
 }  // namespace
@@ -107,8 +128,11 @@ double OdometryRun::fps() const {
 OdometryRun run_odometry(const FrameStream& stream, const TrackerOptions& options,
                          const RunControl& control) {
   Tracker tracker(stream.camera, options);
-  return run_frames(
-      stream, [&](const RgbdFrame& frame) { return tracker.track(frame).record; }, [] {}, control);
+  return run_frames(stream,
+                    {.track = [&](const RgbdFrame& frame) { return tracker.track(frame).record; },
+                     .finish = [] {},
+                     .thin = [](std::vector<SampledFrame>&) {}},
+                    control);
 }
 
 std::optional<std::string> agreement_warning(const Dataset& data, const Trajectory& trajectory) {
@@ -151,7 +175,10 @@ SlamRun run_slam(const FrameStream& stream, const ProgramOptions& options,
                      : Slam(stream.camera, options.slam, vocabulary);
   SlamRun result;
   result.run = run_frames(
-      stream, [&](const RgbdFrame& frame) { return slam.track(frame); }, [&] { slam.finish(); },
+      stream,
+      {.track = [&](const RgbdFrame& frame) { return slam.track(frame); },
+       .finish = [&] { slam.finish(); },
+       .thin = [&](std::vector<SampledFrame>& kept) { drop_removed(slam.keyframes(), kept); }},
       control);
   result.trajectory = slam.trajectory(TrajectoryView::kFinal);
   result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(), slam.statistics(),

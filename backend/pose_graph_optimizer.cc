@@ -54,6 +54,15 @@ void PoseGraphOptimizer::remove_edge(std::size_t index) {
   weights_.erase(weights_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+void PoseGraphOptimizer::remove_node(std::size_t index) {
+  const std::vector<std::size_t> edges = graph_.edges_of(index);
+  std::for_each(edges.rbegin(), edges.rend(), [this](std::size_t edge) {
+    weights_.erase(weights_.begin() + static_cast<std::ptrdiff_t>(edge));
+  });
+  graph_.remove_node(index);
+  moved_.clear();
+}
+
 Summary PoseGraphOptimizer::optimize(OptimizationScope scope) {
   if (scope == OptimizationScope::kWindow) return optimize_window();
   Summary summary = cvo_slam::optimize(graph_, options_);

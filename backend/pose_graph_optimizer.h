@@ -29,6 +29,7 @@ class PoseGraphOptimizer {
   void add_node(const PoseGraphNode& node) { graph_.add_node(node); }
   void add_edge(const PoseGraphEdge& edge);
   void remove_edge(std::size_t index);
+  void remove_node(std::size_t index);
   void set_pose(std::size_t index, const SE3& T_world_node) {
     graph_.set_pose(index, T_world_node);
   }
@@ -44,7 +45,8 @@ class PoseGraphOptimizer {
   [[nodiscard]] const PoseGraph& graph() const { return graph_; }
   /// Weight of each edge in the last optimisation that included it (Summary::weights); 1 before.
   [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
-  /// Indices in nodes() of the nodes whose poses the last optimisation may have changed.
+  /// Indices in nodes() of the nodes whose poses the last optimisation may have changed; none after
+  /// a node was removed.
   [[nodiscard]] const std::vector<std::size_t>& moved() const { return moved_; }
 
  private:

@@ -75,10 +75,34 @@ void PoseGraph::remove_edge(std::size_t index) {
   }
   edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(index));
   ends_.erase(ends_.begin() + static_cast<std::ptrdiff_t>(index));
+  link_all_edges();
+}
+
+void PoseGraph::remove_node(std::size_t index) {
+  if (index >= nodes_.size()) {
+    throw DataError(fmt::format("node {} cannot be removed: there are {}", index, nodes_.size()));
+  }
+  std::erase_if(edges_, [id = nodes_[index].id](const PoseGraphEdge& edge) {
+    return edge.from == id || edge.to == id;
+  });
+  index_.erase(nodes_[index].id);
+  nodes_.erase(nodes_.begin() + static_cast<std::ptrdiff_t>(index));
+  for (std::size_t i = index; i < nodes_.size(); ++i) index_[nodes_[i].id] = i;
+  ends_.clear();
+  for (const PoseGraphEdge& edge : edges_) {
+    ends_.emplace_back(index_of(edge.from), index_of(edge.to));
+  }
+  link_all_edges();
+}
+
+/// Finds the edges of each node and the connected components anew.
+void PoseGraph::link_all_edges() {
+  parent_.resize(nodes_.size());
+  fixed_count_.resize(nodes_.size());
+  edges_of_node_.assign(nodes_.size(), {});
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     parent_[i] = i;
     fixed_count_[i] = nodes_[i].fixed ? 1 : 0;
-    edges_of_node_[i].clear();
   }
   for (std::size_t i = 0; i < edges_.size(); ++i) link_edge(i);
 }

@@ -55,6 +55,9 @@ class PoseGraph {
   /// Removes the edge at an index of edges(); the indices of later edges decrease by one. Takes
   /// time in proportion to the graph. Throws DataError if there is no such edge.
   void remove_edge(std::size_t index);
+  /// Removes the node at an index of nodes() with its edges; the indices of later nodes and edges
+  /// decrease. Takes time in proportion to the graph. Throws DataError if there is no such node.
+  void remove_node(std::size_t index);
 
   /// Returns the nodes in the order in which they were added.
   [[nodiscard]] const std::vector<PoseGraphNode>& nodes() const { return nodes_; }
@@ -95,6 +98,7 @@ class PoseGraph {
  private:
   [[nodiscard]] std::size_t find_root(std::size_t node);
   void link_edge(std::size_t edge);
+  void link_all_edges();
 
   std::vector<PoseGraphNode> nodes_;
   std::vector<PoseGraphEdge> edges_;

@@ -24,6 +24,15 @@ void KeyframeDatabase::add(const BagOfWords& bag) {
   sums_.emplace_back();
 }
 
+void KeyframeDatabase::remove(std::size_t position, const BagOfWords& bag) {
+  for (const WordWeight& word : bag) {
+    std::vector<Entry>& entries = entries_[word.word];
+    std::erase_if(entries, [position](const Entry& entry) { return entry.position == position; });
+    // Or words that were seen once would keep their memory for good.
+    if (2 * entries.size() < entries.capacity()) entries.shrink_to_fit();
+  }
+}
+
 std::vector<KeyframeMatch> KeyframeDatabase::query(const BagOfWords& bag, std::size_t end) {
   std::vector<std::uint32_t> touched;
   for (const WordWeight& word : bag) {

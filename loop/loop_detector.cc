@@ -124,9 +124,16 @@ void LoopDetector::add(std::shared_ptr<const Appearance> keyframe) {
   keyframes_.push_back(std::move(keyframe));
 }
 
+void LoopDetector::remove(std::size_t i) {
+  database_.remove(i, keyframes_[i]->words.bag);
+  keyframes_[i].reset();
+}
+
 std::size_t LoopDetector::bytes() const {
   std::size_t sum = database_.bytes();
-  for (const auto& keyframe : keyframes_) sum += bytes_of(*keyframe);
+  for (const auto& keyframe : keyframes_) {
+    if (keyframe) sum += bytes_of(*keyframe);
+  }
   return sum;
 }
 

@@ -79,10 +79,12 @@ class KeyframeDatabase {
 
   /// Adds the next keyframe. Throws DataError for a word that the vocabulary does not have.
   void add(const BagOfWords& bag);
+  /// Removes the keyframe at a position, whose words are given. Others keep their positions.
+  void remove(std::size_t position, const BagOfWords& bag);
   /// Returns those of the first `end` keyframes that share a word, in ascending order.
   [[nodiscard]] std::vector<KeyframeMatch> query(const BagOfWords& bag, std::size_t end);
 
-  /// Number of keyframes.
+  /// Number of keyframes that were added.
   [[nodiscard]] std::size_t size() const { return sums_.size(); }
   /// Memory of the index [bytes].
   [[nodiscard]] std::size_t bytes() const;
@@ -139,12 +141,15 @@ class LoopDetector {
 
   /// Adds the next keyframe.
   void add(std::shared_ptr<const Appearance> keyframe);
+  /// Removes a keyframe, counted from 0 in the order of add(); others keep their numbers. The
+  /// newest one may not be removed.
+  void remove(std::size_t i);
 
   /// Returns the vocabulary in use.
   [[nodiscard]] const Vocabulary& vocabulary() const { return *vocabulary_; }
-  /// Number of keyframes.
+  /// Number of keyframes that were added.
   [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
-  /// Returns a keyframe, counted from 0 in the order of add().
+  /// Returns a keyframe that was not removed, counted from 0 in the order of add().
   [[nodiscard]] const Appearance& keyframe(std::size_t i) const { return *keyframes_[i]; }
   /// Memory of the keyframes' features, words and index [bytes].
   [[nodiscard]] std::size_t bytes() const;
@@ -159,7 +164,7 @@ class LoopDetector {
   std::shared_ptr<const Vocabulary> vocabulary_;
   LoopVerifier verifier_;
   KeyframeDatabase database_;
-  std::vector<std::shared_ptr<const Appearance>> keyframes_;
+  std::vector<std::shared_ptr<const Appearance>> keyframes_;  // null where one was removed
 };
 
 }  // namespace cvo_slam

@@ -148,10 +148,13 @@ void bind_slam(py::module_& module) {
             result["full_solves"] = statistics.full_solves;
             result["full_seconds"] = statistics.full_seconds;
             result["keyframe_bytes"] = statistics.keyframe_bytes;
+            result["redundant_keyframes"] = statistics.redundant_keyframes;
+            result["dropped_keyframes"] = statistics.dropped_keyframes;
             return result;
           },
           "How often the newest part and the whole of the graph were optimised, the wall time of "
-          "that [s], and the memory of the keyframes [bytes].")
+          "that [s], the memory of the keyframes [bytes], and how many were removed as redundant "
+          "and to keep within culling.max_memory.")
       .def(
           "observe",
           [](PySlam& self, std::function<void(const FrameRecord&)> frame,

@@ -18,7 +18,7 @@ namespace cvo_slam::render {
 /// Returns the normal of a point, a unit vector; zero if the point has none. Foreign files have
 /// normals of any length.
 [[nodiscard]] inline Vector3 unit_normal(const MapPoint& point) {
-  const Vector3 normal = point.normal.cast<double>();
+  Vector3 normal = point.normal.cast<double>();
   const double length = normal.norm();
   constexpr double kRounding = 1e-3;  // of values in a file: the normal is used as it is
   if (std::abs(length - 1) < kRounding) return normal;

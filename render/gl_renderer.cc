@@ -85,7 +85,7 @@ class Program {
   }
 
  private:
-  void attach(GLenum kind, const char* source) {
+  void attach(GLenum kind, const char* source) const {
     const GLuint shader = gl_.CreateShader(kind);
     gl_.ShaderSource(shader, 1, &source, nullptr);
     gl_.CompileShader(shader);
@@ -120,7 +120,7 @@ class Framebuffer {
   [[nodiscard]] bool complete() const { return complete_; }
 
  private:
-  void attach(GLuint& buffer, GLenum format, GLenum attachment, cv::Size size) {
+  void attach(GLuint& buffer, GLenum format, GLenum attachment, cv::Size size) const {
     gl_.GenRenderbuffers(1, &buffer);
     gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);
     gl_.RenderbufferStorage(GL_RENDERBUFFER, format, size.width, size.height);

@@ -21,7 +21,10 @@ constexpr double kLegendSize = 12;
 constexpr double kTitleSize = 16;
 constexpr double kMargin = 14;
 
-cv::Scalar bgr(Color color) { return cv::Scalar(color.blue, color.green, color.red); }
+cv::Scalar bgr(Color color) {
+  cv::Scalar channels(color.blue, color.green, color.red);
+  return channels;
+}
 
 std::size_t count_of(const MapScene& scene, EdgeKind kind) {
   return static_cast<std::size_t>(

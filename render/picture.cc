@@ -79,7 +79,7 @@ void shade_by_depth(const MapView& view, int radius, Raster& raster) {
       if (depths[u] >= 1) continue;  // the background stays as it is
       const float factor = std::max(factors[u], kDarkest);
       for (int k = 0; k < 3; ++k) {
-        pixels[u][k] = static_cast<std::uint8_t>(factor * static_cast<float>(pixels[u][k]) + 0.5F);
+        pixels[u][k] = cv::saturate_cast<std::uint8_t>(factor * static_cast<float>(pixels[u][k]));
       }
     }
   }

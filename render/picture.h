@@ -24,7 +24,7 @@ struct Picture {
 /// labels and a legend. The scene is drawn at twice the size and shrunk, so that edges are smooth.
 /// A scene without anything to draw gives a picture that says so. Throws OptionError for an
 /// impossible size or a view that the scene does not have, and Error if the renderer cannot draw.
-[[nodiscard]] Picture draw_picture(const MapScene& scene, const ViewOptions& view,
+[[nodiscard]] Picture draw_picture(const MapScene& scene, const ViewOptions& options,
                                    Renderer& renderer);
 
 /// Draws a scene in a given view, so that several scenes can be seen from the same position.

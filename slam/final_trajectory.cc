@@ -8,24 +8,23 @@
 namespace cvo_slam {
 namespace {
 
-SE3 final_pose(const TrackedPose& frame, const FrameHistory& history, const MapState& map) {
-  const PoseGraph& graph = map.graph.graph();
-  const auto pose_of = [&graph](std::size_t keyframe) {
-    return graph.nodes()[graph.index_of(node_id(keyframe))].T_world_node;
-  };
-  if (graph.has_node(node_id(frame.frame))) return pose_of(frame.frame);
-  if (!graph.has_node(node_id(frame.keyframe))) return frame.T_world_camera_online;
-  const SE3 T_world_keyframe = pose_of(frame.keyframe);
+CorrectedPose final_pose(const TrackedPose& frame, const FrameHistory& history,
+                         const MapState& map) {
+  if (const auto own = map.place_of(frame.frame)) return *own;
+  const auto keyframe = map.place_of(frame.keyframe);
+  if (!keyframe) return {frame.T_world_camera_online, map.submaps.name_of(frame.tracked_submap)};
+  const auto& [T_world_keyframe, submap] = *keyframe;
   const SE3 T_world_camera = T_world_keyframe * frame.T_keyframe_camera;
   const TrackedPose* const next = history.next_keyframe(frame);
-  if (next == nullptr) return T_world_camera.normalized();
+  const auto final_next = next == nullptr ? std::nullopt : map.place_of(next->frame);
+  if (!final_next) return {T_world_camera.normalized(), submap};
   // Where tracking alone puts the next keyframe.
   const SE3 T_world_next_tracked = T_world_keyframe * next->T_keyframe_camera;
-  const SE3 T_tracked_final = T_world_next_tracked.inverse() * pose_of(next->frame);
+  const SE3 T_tracked_final = T_world_next_tracked.inverse() * final_next->T_world_camera;
   // Shared out by time, see the header.
   const Timestamp begin = history.frame(frame.keyframe).stamp;
   const double share = seconds_between(begin, frame.stamp) / seconds_between(begin, next->stamp);
-  return (T_world_camera * SE3::exp(share * T_tracked_final.log())).normalized();
+  return {(T_world_camera * SE3::exp(share * T_tracked_final.log())).normalized(), submap};
 }
 
 FrameRecord record_of(const TrackedPose& frame, int submap, const SE3& T_world_camera) {
@@ -81,9 +80,11 @@ Trajectory final_trajectory(const FrameHistory& history, const MapState& map,
                             int first_own_submap) {
   std::vector<FrameRecord> records;
   for (const TrackedPose& frame : history.frames()) {
-    const bool is_tracked = frame.status == TrackingStatus::kTracked;
-    records.push_back(record_of(frame, map.submaps.name_of(frame.tracked_submap),
-                                is_tracked ? final_pose(frame, history, map) : SE3()));
+    const CorrectedPose pose =
+        frame.status == TrackingStatus::kTracked
+            ? final_pose(frame, history, map)
+            : CorrectedPose{SE3(), map.submaps.name_of(frame.tracked_submap)};
+    records.push_back(record_of(frame, pose.submap, pose.T_world_camera));
   }
   return path_of(std::move(records), first_own_submap);
 }

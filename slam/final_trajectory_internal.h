@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -38,12 +39,12 @@ class FrameHistory {
   [[nodiscard]] const TrackedPose& newest() const { return frames_.back(); }
   /// The frame of a number that is in the history.
   [[nodiscard]] const TrackedPose& frame(std::size_t number) const;
-  [[nodiscard]] const std::vector<TrackedPose>& frames() const { return frames_; }
+  [[nodiscard]] const std::deque<TrackedPose>& frames() const { return frames_; }
   /// The keyframe after a frame, if it was tracked against the same keyframe; otherwise null.
   [[nodiscard]] const TrackedPose* next_keyframe(const TrackedPose& frame) const;
 
  private:
-  std::vector<TrackedPose> frames_;
+  std::deque<TrackedPose> frames_;
   std::vector<std::size_t> keyframes_;  // that were handed to the mapper
 };
 

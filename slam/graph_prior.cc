@@ -10,11 +10,6 @@
 namespace cvo_slam {
 namespace {
 
-Matrix6 transformed(const Matrix6& covariance, const SE3& T) {
-  const Matrix6 adjoint = T.adjoint();
-  return adjoint * covariance * adjoint.transpose();
-}
-
 /// Standard deviation of the orientation in its least certain direction [rad].
 double largest_rotation(const Matrix6& covariance) {
   const Eigen::SelfAdjointEigenSolver<Matrix3> solver(covariance.bottomRightCorner<3, 3>(),

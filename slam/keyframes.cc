@@ -7,6 +7,14 @@
 
 namespace cvo_slam {
 
+namespace {
+
+std::size_t bytes_of(const StoredKeyframe& keyframe) {
+  return sizeof(StoredKeyframe) + keyframe.cloud.bytes();
+}
+
+}  // namespace
+
 double reach_of(const CompactCloud& cloud) {
   double farthest = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -17,9 +25,23 @@ double reach_of(const CompactCloud& cloud) {
 
 void KeyframeStore::add(StoredKeyframe keyframe) {
   keyframe.reach = reach_of(keyframe.cloud);
-  bytes_ += sizeof(StoredKeyframe) + keyframe.cloud.bytes();
+  bytes_ += bytes_of(keyframe);
   positions_.emplace(keyframe.number, keyframes_.size());
   keyframes_.push_back(std::move(keyframe));
+}
+
+void KeyframeStore::remove(std::size_t position, const Substitute& substitute) {
+  const StoredKeyframe& keyframe = keyframes_[position];
+  bytes_ -= bytes_of(keyframe);
+  substitutes_.emplace(keyframe.number, substitute);
+  positions_.erase(keyframe.number);
+  keyframes_.erase(keyframes_.begin() + static_cast<std::ptrdiff_t>(position));
+  for (std::size_t i = position; i < keyframes_.size(); ++i) positions_[keyframes_[i].number] = i;
+}
+
+const Substitute* KeyframeStore::substitute_for(std::size_t number) const {
+  const auto substitute = substitutes_.find(number);
+  return substitute == substitutes_.end() ? nullptr : &substitute->second;
 }
 
 }  // namespace cvo_slam

@@ -8,6 +8,7 @@
 
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/timestamp.h"
 #include "cvo_slam/slam/compact_cloud_internal.h"
 
@@ -30,12 +31,20 @@ struct StoredKeyframe {
 /// Distance of the farthest point of a cloud from its camera [m].
 [[nodiscard]] double reach_of(const CompactCloud& cloud);
 
+/// What stands in for a keyframe that was removed.
+struct Substitute {
+  std::size_t number = 0;  ///< of the keyframe that does
+  SE3 T_substitute_keyframe;
+};
+
 /// The keyframes of the map in the order in which they were added. A keyframe's position here is
 /// also the index of its node in the pose graph.
 class KeyframeStore {
  public:
   /// Adds a keyframe and measures its reach.
   void add(StoredKeyframe keyframe);
+  /// Removes the keyframe at a position; the positions of later ones decrease by one.
+  void remove(std::size_t position, const Substitute& substitute);
 
   [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
   [[nodiscard]] bool empty() const { return keyframes_.empty(); }
@@ -45,12 +54,16 @@ class KeyframeStore {
   [[nodiscard]] const StoredKeyframe& newest() const { return keyframes_.back(); }
   /// The position of a keyframe that is in the store.
   [[nodiscard]] std::size_t position_of(std::size_t number) const { return positions_.at(number); }
+  /// What stands in for a keyframe that was removed, which may have been removed since; null for
+  /// any other number.
+  [[nodiscard]] const Substitute* substitute_for(std::size_t number) const;
   /// Memory of the keyframes and their points [bytes].
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
   std::vector<StoredKeyframe> keyframes_;
-  std::unordered_map<std::size_t, std::size_t> positions_;  // by number
+  std::unordered_map<std::size_t, std::size_t> positions_;   // by number
+  std::unordered_map<std::size_t, Substitute> substitutes_;  // of those removed, by number
   std::size_t bytes_ = 0;
 };
 

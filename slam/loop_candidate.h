@@ -26,8 +26,10 @@ struct LoopCandidate {
   /// The score divided by that with the preceding keyframe, or for a lost image by the best score;
   /// the divisor is not less than `min_neighbor_score` (LoopMatch).
   double normalized_score = 0;
-  std::size_t inliers = 0;        ///< features that agree with one pose (kLoop)
-  std::vector<PixelPair> pixels;  ///< where they are: a = from, b = to (Verification)
+  std::size_t inliers = 0;  ///< features that agree with one pose (kLoop)
+  /// Where they are: a = from, b = to (Verification). Empty for a rejected candidate unless
+  /// LoopClosingOptions::keep_rejected_matches.
+  std::vector<PixelPair> pixels;
   /// Overlap by the poses of the graph before the pair was registered: the smaller of the two
   /// shares of points that lie in the other's image. None if the graph does not connect the two.
   std::optional<double> expected_overlap;
@@ -40,7 +42,8 @@ struct LoopCandidate {
   double correction_translation = 0;  ///< [m]
   double correction_rotation = 0;     ///< [rad]
   double error = 0;                   ///< [standard deviations]
-  bool accepted = false;              ///< true if it is an edge
+  /// True if it is an edge, or was one until another keyframe stood in for one of the two.
+  bool accepted = false;
   std::string reason;  ///< why it was not accepted, or was taken back; empty if it is an edge
 };
 
@@ -54,6 +57,10 @@ struct GraphStatistics {
   Summary last_full;          ///< of the last optimisation of the whole graph
   /// Memory of the keyframes: their points, features, words and the index of these [bytes].
   std::size_t keyframe_bytes = 0;
+  /// Number of keyframes that were removed because an older one sees the same.
+  std::size_t redundant_keyframes = 0;
+  /// Number of keyframes that were removed to keep within CullingOptions::max_memory.
+  std::size_t dropped_keyframes = 0;
 };
 
 }  // namespace cvo_slam

@@ -56,11 +56,18 @@ LoopClosing::LoopClosing(const Camera& camera, const RegistrationOptions& regist
       registration_(registration, threads, options.pair, noise) {}
 
 void LoopClosing::restore(std::size_t number, const std::string& features) {
+  places_.emplace(number, detector_.size());
   detector_.add(detector_.describe(number, features_from_bytes(features, camera_)));
 }
 
-std::string LoopClosing::features_of(std::size_t position) const {
-  return features_to_bytes(detector_.keyframe(position).features);
+void LoopClosing::remove(std::size_t number) {
+  const auto place = places_.find(number);
+  detector_.remove(place->second);
+  places_.erase(place);
+}
+
+std::string LoopClosing::features_of(std::size_t number) const {
+  return features_to_bytes(detector_.keyframe(places_.at(number)).features);
 }
 
 std::uint32_t LoopClosing::vocabulary_checksum() const {
@@ -70,6 +77,7 @@ std::uint32_t LoopClosing::vocabulary_checksum() const {
 std::vector<LoopMatch> LoopClosing::recognize(const RgbdFrame& images, const PointCloud& cloud) {
   const auto appearance = appearances_.of(images);
   std::vector<LoopMatch> matches = detector_.find_loops(*appearance);
+  places_.emplace(images.index, detector_.size());
   detector_.add(appearance);
   if (!matches.empty()) registration_.set_newer(cloud);
   return matches;

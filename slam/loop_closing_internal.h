@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
@@ -53,8 +54,10 @@ class LoopClosing {
 
   /// Enters a keyframe of another map, by what features_of() returned there.
   void restore(std::size_t number, const std::string& features);
-  /// The features of the keyframe at a position, as bytes.
-  [[nodiscard]] std::string features_of(std::size_t position) const;
+  /// Forgets a keyframe.
+  void remove(std::size_t number);
+  /// The features of a keyframe, as bytes.
+  [[nodiscard]] std::string features_of(std::size_t number) const;
   [[nodiscard]] std::uint32_t vocabulary_checksum() const;
 
   /// The earlier keyframes that the newest one, with these images, seems to show, with those that
@@ -89,6 +92,7 @@ class LoopClosing {
   FieldOfView field_of_view_;
   LoopClosingOptions options_;
   LoopDetector detector_;
+  std::unordered_map<std::size_t, std::size_t> places_;  // in the detector, by number
   AppearanceCache appearances_;
   PairRegistration registration_;
 };

@@ -18,6 +18,9 @@ struct EdgeCovariances {
   Matrix6 to_from = Matrix6::Zero();  ///< of T_from_to^-1
 };
 
+/// The covariance of a right perturbation in another frame: Ad(T) covariance Ad(T)^T.
+[[nodiscard]] Matrix6 transformed(const Matrix6& covariance, const SE3& T);
+
 [[nodiscard]] EdgeCovariances both_ways(const SE3& T_from_to, const Matrix6& covariance);
 
 /// The pose graph of the keyframes. It owns their poses, and remembers of each edge its covariances
@@ -31,7 +34,7 @@ class MapGraph {
     return graph().nodes()[position].T_world_node;
   }
   [[nodiscard]] const EdgeCovariances& covariances(std::size_t edge) const {
-    return covariances_[edge];
+    return notes_[edge].covariances;
   }
   void add_keyframe(std::size_t number, const SE3& T_world_camera);
   void set_pose(std::size_t position, const SE3& T_world_camera) {
@@ -45,15 +48,35 @@ class MapGraph {
   void restore_edge(const PoseGraphEdge& edge);
   /// Removes an edge and returns its row.
   std::optional<std::size_t> remove_edge(std::size_t index);
+  /// Removes a keyframe, for which the other end of one of its edges stands in: that one inherits
+  /// what was measured to others, unless it has been measured there already. What the edge between
+  /// the two knows is shared out among what is inherited, so that nothing is counted twice.
+  void replace_keyframe(std::size_t position, std::size_t edge);
   Summary optimize(OptimizationScope scope) { return optimizer_.optimize(scope); }
   /// Positions of the keyframes whose poses the last optimisation may have changed.
   [[nodiscard]] const std::vector<std::size_t>& moved() const { return optimizer_.moved(); }
 
  private:
+  /// What the graph does not know of an edge.
+  struct EdgeNotes {
+    EdgeCovariances covariances;
+    std::optional<std::size_t> row;
+  };
+
+  /// An edge as the other end of another edge of the same node inherits it.
+  struct InheritedEdge {
+    EdgeKind kind = EdgeKind::kProximity;
+    std::size_t other = 0;  // position of its far end
+    SE3 T_node_other;
+    Matrix6 covariance = Matrix6::Zero();  // of a right perturbation
+    std::optional<std::size_t> row;
+  };
+
+  [[nodiscard]] InheritedEdge seen_from(std::size_t position, std::size_t edge) const;
+  [[nodiscard]] bool is_known(std::size_t position, const InheritedEdge& edge) const;
+
   PoseGraphOptimizer optimizer_;
-  // Parallel to the graph's edges.
-  std::vector<EdgeCovariances> covariances_;
-  std::vector<std::optional<std::size_t>> rows_;
+  std::vector<EdgeNotes> notes_;  // parallel to the graph's edges
 };
 
 }  // namespace cvo_slam

@@ -18,9 +18,9 @@ Map to_map(const MapState& state, const LoopClosing* loops, const Camera& camera
   for (std::size_t i = 0; i < state.keyframes.size(); ++i) {
     const StoredKeyframe& keyframe = state.keyframes[i];
     map.keyframes.push_back({keyframe.stamp, state.graph.pose(i)});
-    memory.keyframes.push_back({keyframe.number, keyframe.stamp, keyframe.tracked_submap,
-                                keyframe.cloud.to_bytes(),
-                                loops == nullptr ? std::string() : loops->features_of(i)});
+    memory.keyframes.push_back(
+        {keyframe.number, keyframe.stamp, keyframe.tracked_submap, keyframe.cloud.to_bytes(),
+         loops == nullptr ? std::string() : loops->features_of(keyframe.number)});
   }
   return map;
 }

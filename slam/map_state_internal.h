@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "cvo_slam/core/se3.h"
@@ -29,12 +30,22 @@ struct UsualCosTheta {
   [[nodiscard]] double mean() const { return count == 0 ? 0 : sum / static_cast<double>(count); }
 };
 
+/// Where the map has a keyframe.
+struct CorrectedPose {
+  SE3 T_world_camera;
+  int submap = 0;  ///< name of the joined submaps that it belongs to
+};
+
 /// All that the stages of mapping read. The mapper alone changes it.
 struct MapState {
+  explicit MapState(const OptimizerOptions& optimizer) : graph(optimizer) {}
+
   KeyframeStore keyframes;
   MapGraph graph;
   Submaps submaps;
   std::vector<Gap> gaps;
+  std::vector<SubmapLink> links;           ///< between submaps, until enough agree
+  std::vector<SubmapLink> contradictions;  ///< that the graph does not believe
   UsualCosTheta usual_cos_theta;
   /// Number of keyframes, the first ones, that are those of a map that was loaded. The clocks and
   /// the way of the camera between these and the others are not known.
@@ -44,6 +55,9 @@ struct MapState {
   [[nodiscard]] int submap_at(std::size_t position) const {
     return submaps.name_of(keyframes[position].tracked_submap);
   }
+  /// Where a keyframe is, given by its number, also if another one stands in for it; none if the
+  /// map never had it.
+  [[nodiscard]] std::optional<CorrectedPose> place_of(std::size_t number) const;
 };
 
 }  // namespace cvo_slam

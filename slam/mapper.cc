@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,7 +19,7 @@ Mapper::Mapper(const Camera& camera, const SlamOptions& options,
       noise_{options.noise_translation, options.noise_rotation},
       near_registration_(options.tracker.registration, options.tracker.threads,
                          options.proximity.pair, noise_),
-      map_{{}, MapGraph(options.optimizer), {}, {}, {}, 0} {
+      map_(options.optimizer) {
   if (!options.loops.enabled) return;
   loop_closing_.emplace(camera, options.tracker.registration, options.tracker.threads,
                         options.loops, noise_, vocabulary);
@@ -45,7 +44,9 @@ CorrectedPose Mapper::add(const KeyframeInput& keyframe) {
   } else if (keyframes_since_solve_ >= options_.optimize_every) {
     optimize(OptimizationScope::kWindow);
   }
-  return {map_.graph.pose(newest_position), map_.submap_at(newest_position)};
+  const CorrectedPose corrected{map_.graph.pose(newest_position), map_.submap_at(newest_position)};
+  if (options_.culling.enabled) cull_keyframes();
+  return corrected;
 }
 
 /// Adds the node, and the edge to the keyframe that it was tracked against or recognised at.
@@ -134,11 +135,13 @@ bool Mapper::close_loops(const KeyframeInput& keyframe, PathSearch& paths) {
       add_edge(EdgeKind::kLoop, older, keyframe.number, *verdict.edge, row);
       is_closed = true;
     } else if (verdict.unconfirmed) {
-      links_.push_back({older, keyframe.number, *verdict.unconfirmed, row});
+      map_.links.push_back({older, keyframe.number, *verdict.unconfirmed, row});
     } else if (verdict.contradiction) {
-      contradictions_.push_back({older, keyframe.number, *verdict.contradiction, row});
+      map_.contradictions.push_back({older, keyframe.number, *verdict.contradiction, row});
     }
+    const bool is_waited_for = verdict.edge || verdict.unconfirmed || verdict.contradiction;
     candidates_.push_back(verdict.row);
+    if (!is_waited_for) drop_matches(candidates_.back());
   }
   return is_closed;
 }
@@ -146,7 +149,7 @@ bool Mapper::close_loops(const KeyframeInput& keyframe, PathSearch& paths) {
 /// Separates the newest tracked submap from others if more keyframes say that it is elsewhere than
 /// have joined it, so that these can join it.
 void Mapper::separate_submaps() {
-  const auto separation = find_separation(contradictions_, map_, options_.loops.relocalization);
+  const auto separation = find_separation(map_.contradictions, map_, options_.loops.relocalization);
   if (!separation) return;
   for (const std::size_t edge : separation->edges) {
     take_back(edge, fmt::format("taken back: {} keyframes say that its submap is elsewhere",
@@ -154,14 +157,14 @@ void Mapper::separate_submaps() {
   }
   map_.submaps = submaps_of(map_);
   settle_links();
-  links_.insert(links_.end(), separation->links.begin(), separation->links.end());
-  contradictions_.clear();
+  map_.links.insert(map_.links.end(), separation->links.begin(), separation->links.end());
+  map_.contradictions.clear();
 }
 
 /// Joins the newest keyframe's submap with another one if enough keyframes say how. Returns true if
 /// there are new edges.
 bool Mapper::join_submaps() {
-  const auto join = find_join(links_, map_, options_.loops.relocalization);
+  const auto join = find_join(map_.links, map_, options_.loops.relocalization);
   if (!join) return false;
   // A start for the optimisation, which cannot find its way from metres off.
   for (std::size_t i = 0; i < map_.keyframes.size(); ++i) {
@@ -180,7 +183,7 @@ bool Mapper::join_submaps() {
 
 /// Drops the links within one submap, which are edges now or contradict those that are.
 void Mapper::settle_links() {
-  std::erase_if(links_, [this](const SubmapLink& link) {
+  std::erase_if(map_.links, [this](const SubmapLink& link) {
     if (map_.submap_at(map_.keyframes.position_of(link.older)) !=
         map_.submap_at(map_.keyframes.position_of(link.newer))) {
       return false;
@@ -198,6 +201,11 @@ void Mapper::add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
                     map_.keyframes[map_.keyframes.position_of(newer)].tracked_submap);
 }
 
+/// Takes the pixels out of a row that was rejected for good, unless they are asked for.
+void Mapper::drop_matches(LoopCandidate& row) const {
+  if (!options_.loops.keep_rejected_matches) row.pixels = {};
+}
+
 /// Marks a candidate that was waiting as an edge.
 void Mapper::accept(std::size_t row) {
   candidates_[row].accepted = true;
@@ -212,11 +220,66 @@ void Mapper::take_back(std::size_t edge, const std::string& reason) {
   candidates_[*row].reason = reason;
 }
 
+/// Removes the keyframe that has just settled if an older one sees the same, and others that have
+/// become redundant since they settled: one is looked at for each that is added. Then those that
+/// are missed least, as long as there are more than memory may hold.
+void Mapper::cull_keyframes() {
+  const KeyframeOptions& limits = options_.tracker.keyframe;
+  const auto check = [&](std::size_t position) {
+    const auto edge = find_redundancy(map_, position, field_of_view_, limits);
+    if (!edge) return false;
+    remove_keyframe({position, *edge});
+    ++statistics_.redundant_keyframes;
+    return true;
+  };
+  if (map_.keyframes.size() > kUnsettledKeyframes) {
+    check(map_.keyframes.size() - kUnsettledKeyframes - 1);
+    if (next_checked_ >= map_.keyframes.size()) next_checked_ = 0;
+    if (!check(next_checked_)) ++next_checked_;
+  }
+  constexpr double kBytesOfMegabyte = 1024.0 * 1024;
+  while (options_.culling.max_memory > 0 && static_cast<double>(statistics().keyframe_bytes) >
+                                                options_.culling.max_memory * kBytesOfMegabyte) {
+    const auto removal = find_least_missed(map_, limits);
+    if (!removal) break;
+    remove_keyframe(*removal);
+    ++statistics_.dropped_keyframes;
+  }
+}
+
+void Mapper::remove_keyframe(const Removal& removal) {
+  const auto& [position, edge] = removal;
+  const auto [from, to] = map_.graph.graph().ends()[edge];
+  const std::size_t substitute = from == position ? to : from;
+  const std::size_t number = map_.keyframes[position].number;
+  const SE3 T_substitute_keyframe =
+      map_.graph.pose(substitute).inverse() * map_.graph.pose(position);
+  const std::size_t substitute_number = map_.keyframes[substitute].number;
+  map_.graph.replace_keyframe(position, edge);
+  map_.keyframes.remove(position, {substitute_number, T_substitute_keyframe});
+  proximity_.remove(position);
+  if (loop_closing_) loop_closing_->remove(number);
+  for (Gap& gap : map_.gaps) {
+    if (gap.from > position) --gap.from;
+    if (gap.to > position) --gap.to;
+  }
+  if (position < map_.loaded) --map_.loaded;
+  std::set<std::size_t> moved;
+  for (const std::size_t i : moved_) {
+    if (i != position) moved.insert(i > position ? i - 1 : i);
+  }
+  moved_ = std::move(moved);
+}
+
 std::optional<RecognizedPose> Mapper::relocalize(const RgbdFrame& images, const PointCloud& cloud) {
   if (!loop_closing_) return std::nullopt;
   Relocalization result = cvo_slam::relocalize(images, cloud, map_, *loop_closing_);
   if (result.pose) result.pose->row += candidates_.size();
-  std::move(result.rows.begin(), result.rows.end(), std::back_inserter(candidates_));
+  for (LoopCandidate& row : result.rows) {
+    candidates_.push_back(std::move(row));
+    const bool is_waited_for = result.pose && result.pose->row + 1 == candidates_.size();
+    if (!is_waited_for) drop_matches(candidates_.back());
+  }
   return result.pose;
 }
 

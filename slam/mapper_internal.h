@@ -12,6 +12,7 @@
 
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/map.h"
+#include "cvo_slam/slam/culling_internal.h"
 #include "cvo_slam/slam/localization_internal.h"
 #include "cvo_slam/slam/loop_candidate.h"
 #include "cvo_slam/slam/loop_closing_internal.h"
@@ -40,12 +41,6 @@ struct KeyframeInput {
   std::optional<OdometryMeasurement> odometry;  ///< none for the first keyframe of a submap
   std::optional<RecognizedPose> recognized;  ///< where relocalisation found the first of a submap
   std::optional<RgbdFrame> images;           ///< only needed where keyframes are recognised
-};
-
-/// Where the map has a keyframe.
-struct CorrectedPose {
-  SE3 T_world_camera;
-  int submap = 0;  ///< name of the joined submaps that it belongs to
 };
 
 /// Builds the map: keyframes, and the graph of what was measured between them. For one thread at a
@@ -96,9 +91,12 @@ class Mapper {
   void separate_submaps();
   bool join_submaps();
   void settle_links();
+  void cull_keyframes();
+  void remove_keyframe(const Removal& removal);
   void add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
                 const PairMeasurement& measurement, std::optional<std::size_t> row);
   void accept(std::size_t row);
+  void drop_matches(LoopCandidate& row) const;
   void take_back(std::size_t edge, const std::string& reason);
   void optimize(OptimizationScope scope);
 
@@ -111,13 +109,12 @@ class Mapper {
   std::optional<Localizer> localizer_;  // made where it is needed
   MapState map_;
   ProximityIndex proximity_;
-  std::vector<SubmapLink> links_;           // wait until enough agree
-  std::vector<SubmapLink> contradictions_;  // that the graph does not believe
   std::vector<LoopCandidate> candidates_;
   GraphStatistics statistics_;
   std::set<std::size_t> moved_;  // positions, since take_moved()
   SE3 T_world_newest_tracked_;   // the newest keyframe's pose as it was tracked
   int keyframes_since_solve_ = 0;
+  std::size_t next_checked_ = 0;  // position of the keyframe that culling looks at next
   bool is_fully_optimized_ = true;
 };
 

@@ -44,6 +44,16 @@ void ProximityIndex::set(std::size_t position, const Vector3& camera, double rea
   largest_reach_ = std::max(largest_reach_, reach);
 }
 
+void ProximityIndex::remove(std::size_t position) {
+  std::erase(cells_[entries_[position].cell], position);
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(position));
+  for (auto& [cell, positions] : cells_) {
+    for (std::size_t& other : positions) {
+      if (other > position) --other;
+    }
+  }
+}
+
 std::vector<std::size_t> ProximityIndex::within_reach_of(std::size_t position) const {
   const Entry& center = entries_[position];
   std::vector<std::size_t> found = within_reach_of(center.camera, center.reach);

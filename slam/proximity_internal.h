@@ -32,6 +32,8 @@ class ProximityIndex {
  public:
   /// Enters a keyframe, or moves it to where its camera is now.
   void set(std::size_t position, const Vector3& camera, double reach);
+  /// Removes a keyframe; the positions of later ones decrease by one.
+  void remove(std::size_t position);
 
   /// Positions, descending, of the other keyframes that may have seen a point that the given one
   /// saw: their cameras are no further apart than their reaches together.

@@ -81,7 +81,21 @@ OptionSet describe(LoopClosingOptions& o) {
       .add("pair", describe(o.pair))
       .add("max_residual", o.max_residual, {0, 1e6}, "standard deviations",
            "Largest error of a loop in the optimised graph; a loop with more is taken back.")
-      .add("relocalization", describe(o.relocalization));
+      .add("relocalization", describe(o.relocalization))
+      .expert()
+      .add("keep_rejected_matches", o.keep_rejected_matches,
+           "True to keep the matching pixels of rejected candidates, for pictures of them.");
+}
+
+OptionSet describe(CullingOptions& o) {
+  return OptionSet()
+      .add("enabled", o.enabled,
+           "True to remove keyframes for which an older one can stand in: it is within the limits "
+           "of tracker.keyframe and sees the same. The map does not grow then in places that it "
+           "has.")
+      .add("max_memory", o.max_memory, {0, 1e9}, "MB",
+           "Most memory of the keyframes; 0 = no limit. Beyond it, those that are nearest to "
+           "others are removed, so that the map gets coarser. 50 keyframes take 8 MB.");
 }
 
 OptionSet describe(SlamOptions& o) {
@@ -98,6 +112,7 @@ OptionSet describe(SlamOptions& o) {
            "The newest part of the graph is optimised whenever so many keyframes were added.")
       .add("proximity", describe(o.proximity))
       .add("loops", describe(o.loops))
+      .add("culling", describe(o.culling))
       .add("optimizer", describe(o.optimizer))
       .expert()
       .add("noise_translation", o.noise_translation, {0, 1}, "m",

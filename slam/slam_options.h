@@ -83,6 +83,19 @@ struct LoopClosingOptions {
   /// taken back. Lower it where false loops are a worse problem than drift.
   double max_residual = 8;
   RelocalizationOptions relocalization;  ///< when a place is believed that the graph cannot confirm
+  bool keep_rejected_matches = false;    ///< keep LoopCandidate::pixels of rejected candidates
+};
+
+/// Which keyframes the map does without. What was measured to them is handed on to those that
+/// stand in for them, and frames keep their poses relative to these.
+struct CullingOptions {
+  /// True to remove keyframes for which an older one can stand in: it is nearer than the limits of
+  /// tracker.keyframe and sees as much of the same as these ask for. A map does not grow then while
+  /// the camera stays in places that it has seen. Switch it off to keep every keyframe.
+  bool enabled = true;
+  /// Most memory that the keyframes may take [MB]; 0 = no limit. Beyond it, those that are nearest
+  /// to others are removed, so that the map gets coarser everywhere. 50 keyframes take 8 MB.
+  double max_memory = 0;
 };
 
 /// All options of Slam.
@@ -99,6 +112,7 @@ struct SlamOptions {
   int optimize_every = 5;
   ProximityOptions proximity;  ///< registrations between near keyframes
   LoopClosingOptions loops;    ///< recognition of keyframes by their images
+  CullingOptions culling;      ///< which keyframes the map does without
   /// How the graph is optimised. Edges are verified before; kCauchy weakens those that are wrong
   /// all the same.
   OptimizerOptions optimizer = {.loss = RobustLoss::kCauchy};
@@ -114,6 +128,7 @@ struct SlamOptions {
 [[nodiscard]] OptionSet describe(ProximityOptions& options);
 [[nodiscard]] OptionSet describe(RelocalizationOptions& options);
 [[nodiscard]] OptionSet describe(LoopClosingOptions& options);
+[[nodiscard]] OptionSet describe(CullingOptions& options);
 [[nodiscard]] OptionSet describe(SlamOptions& options);
 ///@}
 

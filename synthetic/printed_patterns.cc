@@ -168,7 +168,7 @@ LinearColor collage_sample(const Texture& texture, const SurfacePoint& p) {
   sheet.v = v - height * row - 0.5 * kGap * texture.scale;
   sheet.size_u = texture.scale;
   sheet.size_v = std::numbers::sqrt2 * texture.scale;
-  const LinearColor wall = LinearColor::Constant(0.45);
+  LinearColor wall = LinearColor::Constant(0.45);
   const double share = inside(sheet);
   if (share == 0) return wall;
   Texture print = texture;
@@ -190,7 +190,7 @@ LinearColor collage(const Texture& texture, const SurfacePoint& p) {
     half.v = p.v + along * p.footprint_v;
     return collage_sample(texture, half);
   };
-  const LinearColor diagonal = 0.5 * (sample_at(-0.25, -0.25) + sample_at(0.25, 0.25));
+  LinearColor diagonal = 0.5 * (sample_at(-0.25, -0.25) + sample_at(0.25, 0.25));
   if (!is_far) return diagonal;
   return 0.5 * diagonal + 0.25 * (sample_at(-0.25, 0.25) + sample_at(0.25, -0.25));
 }

@@ -29,8 +29,9 @@ class VisibleRows {
     for (int x = 0; x < width_; ++x) pixels_[index(x, y)] = rays.look(x, y);
     for (int x = 0; x < width_; ++x) {
       const Visible& center = at(x, y);
-      even_[index(x, y)] = (x == 0 || center.same_surface(at(x - 1, y))) &&
+      const bool is_even = (x == 0 || center.same_surface(at(x - 1, y))) &&
                            (x + 1 == width_ || center.same_surface(at(x + 1, y)));
+      even_[index(x, y)] = is_even ? 1 : 0;
     }
   }
 
@@ -38,7 +39,7 @@ class VisibleRows {
 
   /// Returns true if one of the eight neighbours shows another surface.
   [[nodiscard]] bool on_rim(int x, int y) const {
-    return !even_[index(x, y)] || (y > 0 && differs(x, y, y - 1)) ||
+    return even_[index(x, y)] == 0 || (y > 0 && differs(x, y, y - 1)) ||
            (y + 1 < height_ && differs(x, y, y + 1));
   }
 
@@ -50,14 +51,14 @@ class VisibleRows {
 
   /// Returns true if one of the three pixels about x in the `other` row shows another surface.
   [[nodiscard]] bool differs(int x, int y, int other) const {
-    return !even_[index(x, other)] || !at(x, y).same_surface(at(x, other));
+    return even_[index(x, other)] == 0 || !at(x, y).same_surface(at(x, other));
   }
 
   static constexpr int kRows = 3;
   int width_;
   int height_;
   std::vector<Visible> pixels_;
-  std::vector<char> even_;  // true if the pixel and those to its left and right show one surface
+  std::vector<char> even_;  // 1 if the pixel and those to its left and right show one surface
 };
 
 struct Sample {

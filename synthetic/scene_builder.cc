@@ -92,15 +92,15 @@ void partition(SceneBuilder& builder, const Partition& wall) {
   constexpr double kHalf = 0.5 * Partition::kThickness;
   for (const double side : {1.0, -1.0}) {
     const Texture& texture = side > 0 ? wall.left : wall.right;
-    double begin = 0;
+    double low = 0;
     for (const double middle : openings) {
-      const double end = middle - 0.5 * wall.opening_width;
-      layer.box(begin, end, 0, wall.height, 0.5 * side * kHalf, kHalf, texture);
-      begin = middle + 0.5 * wall.opening_width;
-      layer.box(end, begin, Partition::kOpeningHeight, wall.height, 0.5 * side * kHalf, kHalf,
+      const double high = middle - 0.5 * wall.opening_width;
+      layer.box(low, high, 0, wall.height, 0.5 * side * kHalf, kHalf, texture);
+      low = middle + 0.5 * wall.opening_width;
+      layer.box(high, low, Partition::kOpeningHeight, wall.height, 0.5 * side * kHalf, kHalf,
                 texture);
     }
-    layer.box(begin, length, 0, wall.height, 0.5 * side * kHalf, kHalf, texture);
+    layer.box(low, length, 0, wall.height, 0.5 * side * kHalf, kHalf, texture);
   }
   for (const double middle : openings) {
     frame(layer, middle - 0.5 * wall.opening_width, middle + 0.5 * wall.opening_width);

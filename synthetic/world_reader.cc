@@ -55,7 +55,7 @@ Vector3 vector3(const YamlValue& value, const std::string& what) {
 
 /// Returns a position or a shift [m].
 Vector3 length3(const YamlValue& value, const std::string& what) {
-  const Vector3 result = vector3(value, what);
+  Vector3 result = vector3(value, what);
   if ((result.array().abs() <= kLargestLength).all()) return result;
   value.fail(fmt::format("{}: coordinates must be within {} m", what, kLargestLength));
 }
@@ -82,7 +82,7 @@ std::uint32_t seed_of(const YamlValue& value) {
 
 /// Returns red, green and blue in [0, 1].
 LinearColor read_color(const YamlValue& value, const std::string& what) {
-  const LinearColor result = vector3(value, what).array();
+  LinearColor result = vector3(value, what).array();
   if ((result < 0).any() || (result > 1).any()) {
     value.fail(fmt::format("{}: red, green and blue must be in [0, 1]", what));
   }

@@ -51,7 +51,7 @@ std::string name_of(const Texture& texture) {
 }
 
 std::string material_text(Texture texture) {
-  if (const auto name = name_of(texture); !name.empty()) return name;
+  if (auto name = name_of(texture); !name.empty()) return name;
   const bool turned = texture.quarter_turn;
   texture.quarter_turn = false;
   const std::string turn = turned ? ", quarter_turn: true" : "";

@@ -33,9 +33,9 @@ class TemporaryFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   /// Writes a file of the given text, with the folders it needs, and returns its path.
-  std::filesystem::path write(const std::filesystem::path& relative,
-                              const std::string& text) const {
-    const auto file = path_ / relative;
+  std::filesystem::path write(  // NOLINT(modernize-use-nodiscard)
+      const std::filesystem::path& relative, const std::string& text) const {
+    auto file = path_ / relative;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << text;
     return file;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/backend/pose_graph_optimizer.h"
 
+#include <tuple>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -105,6 +107,26 @@ TEST(PoseGraphOptimizer, ARemovedEdgeLeavesNothingBehind) {
     EXPECT_EQ(optimizer.optimize(scope).final_cost, expected.optimize(scope).final_cost);
   }
   EXPECT_THROW(optimizer.remove_edge(edges.size()), DataError);
+}
+
+TEST(PoseGraphOptimizer, ARemovedNodeTakesTheWeightsOfItsEdgesAlong) {
+  PoseGraphOptimizer optimizer({.loss = RobustLoss::kCauchy});
+  for (NodeId id = 0; id < 4; ++id) {
+    optimizer.add_node({id, SE3(Matrix3::Identity(), {1.0 * static_cast<double>(id), 0, 0})});
+  }
+  const SE3 T_step(Matrix3::Identity(), {1, 0, 0});
+  const SE3 T_wrong(Matrix3::Identity(), {9, 0, 0});
+  const Matrix6 information = 1e4 * Matrix6::Identity();
+  for (NodeId id = 0; id < 3; ++id) optimizer.add_edge({id, id + 1, T_step, information});
+  optimizer.add_edge({0, 1, T_step, information});
+  optimizer.add_edge({2, 3, T_wrong, 100 * Matrix6::Identity(), EdgeKind::kLoop, true});
+  std::ignore = optimizer.optimize(OptimizationScope::kFull);
+  const double weight_of_wrong = optimizer.weights().back();
+  ASSERT_LT(weight_of_wrong, 0.5);
+  optimizer.remove_node(1);  // with the edges 0, 1 and 3
+  ASSERT_EQ(optimizer.weights().size(), 2U);
+  EXPECT_EQ(optimizer.weights().back(), weight_of_wrong);
+  EXPECT_TRUE(optimizer.moved().empty()) << "the indices have changed";
 }
 
 TEST(PoseGraphOptimizer, AnEmptyGraphIsOptimal) {

@@ -88,6 +88,25 @@ TEST(PoseGraph, RemovesEdges) {
   EXPECT_EQ(error_of([&] { graph.remove_edge(1); }), "edge 1 cannot be removed: there are 1");
 }
 
+TEST(PoseGraph, RemovesNodesWithTheirEdges) {
+  PoseGraph graph = nodes(4);
+  graph.add_edge({0, 1, at(1)});
+  graph.add_edge({1, 2, at(1)});
+  graph.add_edge({2, 3, at(1)});
+  graph.add_edge({3, 0, at(-3)});
+  graph.remove_node(1);
+  ASSERT_EQ(graph.nodes().size(), 3U);
+  EXPECT_FALSE(graph.has_node(1));
+  EXPECT_EQ(graph.index_of(3), 2U);
+  using Ends = std::pair<std::size_t, std::size_t>;
+  EXPECT_THAT(graph.ends(), ElementsAre(Ends(1, 2), Ends(2, 0)));
+  EXPECT_THAT(graph.edges_of(2), ElementsAre(0, 1));
+  EXPECT_THAT(graph.components(), ElementsAre(0, 0, 0));
+  graph.add_node({1, at(5)});  // its id is free again
+  EXPECT_THAT(graph.held_nodes(), ElementsAre(true, false, false, true));
+  EXPECT_EQ(error_of([&] { graph.remove_node(4); }), "node 4 cannot be removed: there are 4");
+}
+
 TEST(PoseGraph, KnowsTheEdgesOfANode) {
   PoseGraph graph = nodes(4);
   graph.add_edge({0, 1, at(1)});

@@ -63,6 +63,22 @@ TEST(KeyframeDatabase, OnlyKeyframesThatShareWordsAreFound) {
   EXPECT_THAT(KeyframeDatabase(10).query({{2, 1.0F}}, 0), IsEmpty());
 }
 
+TEST(KeyframeDatabase, ARemovedKeyframeIsNotFoundAndOthersKeepTheirPositions) {
+  KeyframeDatabase database(8);
+  const BagOfWords bag = {{1, 0.5F}, {3, 0.5F}};
+  for (int i = 0; i < 3; ++i) database.add(bag);
+  const std::size_t bytes = database.bytes();
+  database.remove(1, bag);
+  EXPECT_THAT(database.query(bag, 3), ElementsAre(Field(&KeyframeMatch::position, 0U),
+                                                  Field(&KeyframeMatch::position, 2U)));
+  database.remove(0, bag);
+  database.remove(2, bag);
+  EXPECT_THAT(database.query(bag, 3), IsEmpty());
+  EXPECT_LT(database.bytes(), bytes) << "words that no keyframe shows take no memory";
+  database.add(bag);
+  EXPECT_THAT(database.query(bag, 4), ElementsAre(Field(&KeyframeMatch::position, 3U)));
+}
+
 TEST(KeyframeDatabase, WordsOfAnotherVocabularyAreRefused) {
   KeyframeDatabase database(10);
   EXPECT_THROW(database.add({{10, 1.0F}}), DataError);

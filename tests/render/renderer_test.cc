@@ -83,8 +83,8 @@ TEST(Renderer, ADenseSurfaceHasNoHoles) {
       // Positions inside the square that the axes do not cover.
       for (double x = -0.4; x < -0.1; x += 0.01) {
         const Vector3 p = view.project({x, 0.1, 0});
-        const auto pixel = image.at<cv::Vec3b>(static_cast<int>(std::lround(p.y())),
-                                               static_cast<int>(std::lround(p.x())));
+        const auto& pixel = image.at<cv::Vec3b>(static_cast<int>(std::lround(p.y())),
+                                                static_cast<int>(std::lround(p.x())));
         EXPECT_TRUE(is_red(pixel)) << renderer->name() << " at " << x;
       }
     }

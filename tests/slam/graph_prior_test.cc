@@ -37,7 +37,7 @@ MapGraph chain(int keyframes) {
   }
   for (int i = 0; i + 1 < keyframes; ++i) {
     graph.add_edge(EdgeKind::kOdometry, static_cast<std::size_t>(i),
-                   static_cast<std::size_t>(i + 1),
+                   static_cast<std::size_t>(i) + 1,
                    {step(0.1 * i), covariance_of(translation(i), kRotation)}, {});
   }
   return graph;

@@ -28,6 +28,15 @@ TEST(ProximityIndex, ListsTheOthersWithinBothReachesNewestFirst) {
   EXPECT_THAT(index.within_reach_of(3), IsEmpty());
 }
 
+TEST(ProximityIndex, ARemovedKeyframeIsForgottenAndLaterOnesMoveUp) {
+  ProximityIndex index;
+  for (std::size_t i = 0; i < 4; ++i) index.set(i, {0.1 * static_cast<double>(i), 0, 0}, 1);
+  index.remove(1);
+  EXPECT_THAT(index.within_reach_of(0), ElementsAre(2, 1));
+  index.set(2, {100, 0, 0}, 1);  // the last one
+  EXPECT_THAT(index.within_reach_of(0), ElementsAre(1));
+}
+
 TEST(ProximityIndex, FindsWhatAFullSearchFinds) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-15, 15);

@@ -71,7 +71,7 @@ TEST_F(SubmapsOfAMapper, AreJoinedWhereThreeKeyframesAgree) {
   EXPECT_EQ(submaps(), 1U);
   EXPECT_EQ(mapper_->map().submaps.name_of(1), 0);
   EXPECT_GE(accepted(loops_of(mapper_->candidates())), 3U);
-  for (int i = 1; i < 5; ++i) expect_pose(static_cast<std::size_t>(5 + i), pose(place(i)));
+  for (int i = 1; i < 5; ++i) expect_pose(5 + static_cast<std::size_t>(i), pose(place(i)));
 }
 
 TEST_F(SubmapsOfAMapper, OnesThatLookLikeTwoPlacesAreNotJoined) {

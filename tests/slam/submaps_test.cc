@@ -40,6 +40,7 @@ class SubmapLinks : public testing::Test {
   [[nodiscard]] SubmapPlacement place() const { return place_submap(links_, map_, options_); }
   static std::vector<std::size_t> rows(const std::vector<SubmapLink>& links) {
     std::vector<std::size_t> rows;
+    rows.reserve(links.size());
     for (const SubmapLink& link : links) rows.push_back(link.row);
     return rows;
   }
@@ -50,7 +51,7 @@ class SubmapLinks : public testing::Test {
 
   static constexpr std::size_t kKeyframes = 5;
   SE3 T_worlds_ = at(3, -2, 1.2);
-  MapState map_{{}, MapGraph(OptimizerOptions()), {}, {}, {}, 0};
+  MapState map_{OptimizerOptions()};
   std::vector<SubmapLink> links_;
   RelocalizationOptions options_;
 };

@@ -36,7 +36,8 @@ double filter_error(const Texture& texture, double footprint) {
     double mean = 0;
     for (int k = 0; k < kGrid * kGrid; ++k) {
       const double du = ((k % kGrid + 0.5) / kGrid - 0.5) * footprint;
-      const double dv = ((k / kGrid + 0.5) / kGrid - 0.5) * footprint;
+      const int row = k / kGrid;
+      const double dv = ((row + 0.5) / kGrid - 0.5) * footprint;
       mean += sample(texture, at(u + du, v + dv, footprint / kGrid))[1];
     }
     const double error = sample(texture, at(u, v, footprint))[1] - mean / (kGrid * kGrid);
