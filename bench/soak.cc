@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Plays a recording forwards and backwards, again and again, as one long sequence, and prints what
-// each pass costs: keyframes, memory and CPU time a frame, and the error of the trajectory so far.
-// Played backwards, a recording needs images of one time (synchronised streams, no rolling
-// shutter). A row of docs/results/soak.md for each pass.
-//   soak [--passes N] [--frames N] [--max-memory MB] [--keep-all] [--cyclic]
+// each pass costs: keyframes, memory and CPU time a frame; after the first and the last pass also
+// the error of the trajectory so far, whose computation takes memory of its own. Played backwards,
+// a recording needs images of one time (synchronised streams, no rolling shutter). A row of
+// docs/results/soak.md for each pass.
+//   soak [--passes N] [--rows-every N] [--frames N] [--max-memory MB] [--keep-all] [--cyclic]
 //        sequence
 #include <algorithm>
 #include <cstdio>
@@ -47,6 +48,7 @@ double process_cpu_seconds() {
 struct Arguments {
   std::string sequence;
   int passes = 10;
+  int rows_every = 1;
   std::size_t frames = 0;
   bool cyclic = false;
   SlamOptions options;
@@ -93,20 +95,30 @@ class LongSequence {
   std::vector<StampedPose> reference_;
 };
 
-void print_row(std::size_t pass, const LongSequence& sequence, const Slam& slam,
-               double cpu_seconds) {
-  const GraphStatistics statistics = slam.statistics();
-  const Trajectory trajectory = slam.trajectory();
-  const double ate = absolute_trajectory_error(associate(sequence.reference(), trajectory.poses))
-                         .statistics.translation.rmse;
-  const PoseGraph graph = slam.pose_graph();
+struct Pass {
+  std::size_t number = 0;  // from 1
+  std::size_t lost = 0;    // frames so far
+  double cpu_seconds = 0;
+  bool is_evaluated = false;
+};
+
+void print_row(const Pass& pass, const LongSequence& sequence, const Slam& slam) {
   constexpr double kThousand = 1e3;
-  fmt::print("| {} | {} | {} | {} | {} | {} | {:.1f} | {:.1f} | {:.0f} | {:.1f} | {:.1f} |\n",
-             pass + 1, (pass + 1) * sequence.length(), trajectory.lost.size(), graph.nodes().size(),
+  const double allocated = static_cast<double>(mallinfo2().uordblks) / kBytesOfMegabyte;
+  const double resident = resident_megabytes();
+  const GraphStatistics statistics = slam.statistics();
+  std::string ate = "-";
+  if (pass.is_evaluated) {
+    const auto matches = associate(sequence.reference(), slam.trajectory().poses);
+    ate = fmt::format("{:.1f}",
+                      kThousand * absolute_trajectory_error(matches).statistics.translation.rmse);
+  }
+  const PoseGraph graph = slam.pose_graph();
+  fmt::print("| {} | {} | {} | {} | {} | {} | {:.1f} | {:.1f} | {:.0f} | {:.1f} | {} |\n",
+             pass.number, pass.number * sequence.length(), pass.lost, graph.nodes().size(),
              graph.edges().size(), statistics.redundant_keyframes + statistics.dropped_keyframes,
-             static_cast<double>(statistics.keyframe_bytes) / kBytesOfMegabyte,
-             static_cast<double>(mallinfo2().uordblks) / kBytesOfMegabyte, resident_megabytes(),
-             kThousand * cpu_seconds / static_cast<double>(sequence.length()), kThousand * ate);
+             static_cast<double>(statistics.keyframe_bytes) / kBytesOfMegabyte, allocated, resident,
+             kThousand * pass.cpu_seconds / static_cast<double>(sequence.length()), ate);
   std::fflush(stdout);
 }
 
@@ -117,12 +129,19 @@ void soak(const Arguments& arguments) {
       "| pass | frames | lost | keyframes | edges | removed | keyframes MB | allocated MB | "
       "resident MB | CPU ms a frame | ATE mm |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|\n");
-  for (std::size_t pass = 0; pass < static_cast<std::size_t>(arguments.passes); ++pass) {
+  const auto passes = static_cast<std::size_t>(arguments.passes);
+  Pass pass;
+  while (pass.number++ < passes) {
     const double start = process_cpu_seconds();
-    for (std::size_t i = 0; i < sequence.length(); ++i) {
-      slam.track(sequence.read(pass * sequence.length() + i));
+    for (std::size_t i = (pass.number - 1) * sequence.length(); i < pass.number * sequence.length();
+         ++i) {
+      pass.lost += slam.track(sequence.read(i)).status == TrackingStatus::kLost ? 1 : 0;
     }
-    print_row(pass, sequence, slam, process_cpu_seconds() - start);
+    pass.cpu_seconds = process_cpu_seconds() - start;
+    pass.is_evaluated = pass.number == 1 || pass.number == passes;
+    if (pass.is_evaluated || pass.number % static_cast<std::size_t>(arguments.rows_every) == 0) {
+      print_row(pass, sequence, slam);
+    }
   }
 }
 
@@ -135,6 +154,8 @@ int main(int argc, char** argv) {
   CLI::App app("Plays a recording forwards and backwards, again and again, as one long sequence");
   app.add_option("sequence", arguments.sequence)->required();
   app.add_option("--passes", arguments.passes, "Number of times that it is played");
+  app.add_option("--rows-every", arguments.rows_every, "Prints a row after so many passes")
+      ->check(CLI::PositiveNumber);
   app.add_option("--frames", arguments.frames, "Plays only the first frames; 0 = all");
   app.add_option("--max-memory", arguments.options.culling.max_memory, "As culling.max_memory");
   app.add_flag("--keep-all", keep_all, "Keeps redundant keyframes");

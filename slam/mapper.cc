@@ -203,7 +203,9 @@ void Mapper::add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
 
 /// Takes the pixels out of a row that was rejected for good, unless they are asked for.
 void Mapper::drop_matches(LoopCandidate& row) const {
-  if (!options_.loops.keep_rejected_matches) row.pixels = {};
+  if (options_.loops.keep_rejected_matches) return;
+  row.pixels.clear();
+  row.pixels.shrink_to_fit();
 }
 
 /// Marks a candidate that was waiting as an edge.
