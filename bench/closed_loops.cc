@@ -165,6 +165,7 @@ void print_row(const std::string& sequence, bool verbose) {
 }  // namespace
 }  // namespace cvo_slam
 
+// NOLINTNEXTLINE(bugprone-exception-escape): options that are defined wrongly throw, no others
 int main(int argc, char** argv) {
   std::vector<std::string> sequences;
   bool verbose = false;

@@ -118,6 +118,7 @@ void run(const InterruptionArguments& arguments) {
 }  // namespace
 }  // namespace cvo_slam
 
+// NOLINTNEXTLINE(bugprone-exception-escape): options that are defined wrongly throw, no others
 int main(int argc, char** argv) {
   cvo_slam::InterruptionArguments arguments;
   CLI::App app("Measures runs whose camera is blind for a while");

@@ -105,6 +105,7 @@ void run(const CostArguments& arguments) {
 }  // namespace
 }  // namespace cvo_slam
 
+// NOLINTNEXTLINE(bugprone-exception-escape): options that are defined wrongly throw, no others
 int main(int argc, char** argv) {
   cvo_slam::CostArguments arguments;
   CLI::App app("Measures what adding a keyframe to a map costs");

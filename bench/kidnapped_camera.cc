@@ -356,6 +356,7 @@ void run(const KidnapArguments& arguments) {
 }  // namespace
 }  // namespace cvo_slam
 
+// NOLINTNEXTLINE(bugprone-exception-escape): options that are defined wrongly throw, no others
 int main(int argc, char** argv) {
   cvo_slam::KidnapArguments arguments;
   CLI::App app("Measures relocalisation: kidnaps a camera");

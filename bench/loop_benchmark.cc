@@ -90,11 +90,12 @@ void find_1000_words_one_by_one(benchmark::State& state) {
 BENCHMARK(find_1000_words_one_by_one)->Unit(benchmark::kMillisecond);
 
 void query_10000_keyframes(benchmark::State& state) {
-  const std::size_t words = builtin_vocabulary()->words();
+  const std::size_t word_count = builtin_vocabulary()->words();
   std::mt19937 engine(1);
-  KeyframeDatabase database(words);
-  for (std::size_t i = 0; i < kKeyframes; ++i) database.add(random_bag(words, kFeatures, engine));
-  const BagOfWords bag = random_bag(words, kFeatures, engine);
+  KeyframeDatabase database(word_count);
+  for (std::size_t i = 0; i < kKeyframes; ++i)
+    database.add(random_bag(word_count, kFeatures, engine));
+  const BagOfWords bag = random_bag(word_count, kFeatures, engine);
   for ([[maybe_unused]] auto iteration : state)
     benchmark::DoNotOptimize(database.query(bag, kKeyframes));
   state.counters["bytes_a_keyframe"] = static_cast<double>(database.bytes()) / kKeyframes;

@@ -115,7 +115,7 @@ class Quality {
       keyframe.appearance = detector_->extract(keyframe.frame);
       features_ += keyframe.appearance->features.size();
       for (const auto& point : keyframe.appearance->features.points)
-        with_depth_ += point.has_depth();
+        with_depth_ += point.has_depth() ? 1 : 0;
       keyframes_.push_back(std::move(keyframe));
     }
   }
@@ -189,6 +189,36 @@ class Quality {
     }
   }
 
+  /// How many of the revisiting keyframes had a candidate, and were found; those in a row are one
+  /// event.
+  struct Revisits {
+    std::size_t reached = 0;
+    std::size_t closed = 0;
+    std::size_t events = 0;
+    std::size_t events_closed = 0;
+  };
+
+  [[nodiscard]] Revisits count_revisits(const std::map<std::size_t, bool>& candidate_of,
+                                        const std::map<std::size_t, bool>& found) const {
+    Revisits count;
+    std::size_t last = 0;
+    bool last_closed = false;
+    for (const auto& [newer, older] : revisits_) {
+      count.reached += candidate_of.contains(newer) ? 1 : 0;
+      count.closed += found.contains(newer) ? 1 : 0;
+      if (count.events == 0 || newer > last + 3) {
+        ++count.events;
+        last_closed = false;
+      }
+      if (found.contains(newer) && !last_closed) {
+        ++count.events_closed;
+        last_closed = true;
+      }
+      last = newer;
+    }
+    return count;
+  }
+
   void print() const {
     std::size_t seeing = 0;
     std::size_t accepted = 0;
@@ -207,25 +237,7 @@ class Quality {
       const bool wrong = judged.match.verification.accepted && !judged.is_correct();
       if (arguments_.verbose || wrong) print(judged);
     }
-    std::size_t reached = 0;
-    std::size_t closed = 0;
-    std::size_t events = 0;
-    std::size_t events_closed = 0;
-    std::size_t last = 0;
-    bool last_closed = false;
-    for (const auto& [newer, older] : revisits_) {
-      reached += candidate_of.contains(newer) ? 1 : 0;
-      closed += found.contains(newer) ? 1 : 0;
-      if (events == 0 || newer > last + 3) {
-        ++events;
-        last_closed = false;
-      }
-      if (found.contains(newer) && !last_closed) {
-        ++events_closed;
-        last_closed = true;
-      }
-      last = newer;
-    }
+    const Revisits revisits = count_revisits(candidate_of, found);
     const auto n = static_cast<double>(std::max<std::size_t>(1, keyframes_.size()));
     fmt::print(
         "{}: {} keyframes, {:.0f} features ({:.0f} with depth); candidates {} of which {} see "
@@ -233,7 +245,8 @@ class Quality {
         "found {}; events {}, found {}\n",
         data_->name(), keyframes_.size(), static_cast<double>(features_) / n,
         static_cast<double>(with_depth_) / n, judged_.size(), seeing, accepted, correct,
-        revisits_.size(), reached, closed, events, events_closed);
+        revisits_.size(), revisits.reached, revisits.closed, revisits.events,
+        revisits.events_closed);
   }
 
   static void print(const JudgedPair& judged) {
@@ -276,6 +289,7 @@ class Quality {
 }  // namespace
 }  // namespace cvo_slam
 
+// NOLINTNEXTLINE(bugprone-exception-escape): options that are defined wrongly throw, no others
 int main(int argc, char** argv) {
   cvo_slam::QualityArguments arguments;
   CLI::App app("Measures precision and recall of the loop detector");

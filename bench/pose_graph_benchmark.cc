@@ -3,6 +3,7 @@
 //
 // Measures the back-end beside the usual way to write a pose graph in Ceres: automatic derivatives,
 // position and quaternion in separate blocks, Ceres' manifold and default options.
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -22,7 +23,7 @@
 namespace cvo_slam {
 namespace {
 
-constexpr const char* kGraphs[] = {"sphere2500", "parking-garage", "smallGrid3D"};
+constexpr std::array kGraphs = {"sphere2500", "parking-garage", "smallGrid3D"};
 
 /// The residual of core/pose_graph.h for Ceres' automatic derivatives.
 struct AutomaticEdge {

@@ -59,16 +59,16 @@ END
 
 ## Laps of an office
 
-A synthetic office with the noise of a Kinect: five rounds with noise of their own, played eleven times.
+A synthetic office with the noise of a Kinect: five rounds with noise of their own, played six times.
 
 END
-  "$build/bench/soak" --cyclic --passes 11 "$office"
+  "$build/bench/soak" --cyclic --passes 6 "$office"
   cat << 'END'
 
-100,000 frames of 160x120 pixels: one round of the office, 278 times.
+100,000 frames of 160x120 pixels: one round of the office, 139 times.
 
 END
-  "$build/bench/soak" --cyclic --passes 278 --rows-every 25 "$office-small"
+  "$build/bench/soak" --cyclic --passes 139 --rows-every 20 "$office-small"
 } > "$draft"
 mv "$draft" "$page"
 chmod 644 "$page"

@@ -148,6 +148,7 @@ void soak(const Arguments& arguments) {
 }  // namespace
 }  // namespace cvo_slam
 
+// NOLINTNEXTLINE(bugprone-exception-escape): options that are defined wrongly throw, no others
 int main(int argc, char** argv) {
   cvo_slam::Arguments arguments;
   bool keep_all = false;

@@ -87,6 +87,7 @@ void add_frame(const RgbdFrame& frame, const Camera& camera, WorldStatistics& su
   cv::ORB::create(1000)->detect(grey, keypoints);
   sum.keypoints += static_cast<double>(keypoints.size());
   std::vector<float> responses;
+  responses.reserve(keypoints.size());
   for (const auto& keypoint : keypoints) responses.push_back(1e6F * keypoint.response);
   sum.response += median(std::move(responses));
   sum.points += static_cast<double>(select_points(frame, camera, 6000).size());
@@ -180,6 +181,7 @@ void run(const StatisticsArguments& arguments) {
 }  // namespace
 }  // namespace cvo_slam
 
+// NOLINTNEXTLINE(bugprone-exception-escape): options that are defined wrongly throw, no others
 int main(int argc, char** argv) {
   cvo_slam::StatisticsArguments arguments;
   CLI::App app("Measures and draws the synthetic worlds");

@@ -52,7 +52,7 @@ TrackedFrame Tracker::Impl::track(const RgbdFrame& given, const StartFinder& fin
   record.T_world_camera = registered.T_world_camera;
   if (!registered.is_believed()) {
     record = reject(std::move(record), registered.fault);
-    if (lost_in_a_row < options.lost.restart_after) return {std::move(record), std::nullopt};
+    if (!is_lost_for_long()) return {std::move(record), std::nullopt};
   }
   // The pending keyframe is final: frames after this one are registered to another keyframe or to
   // this one as it is. It can be handed out.
@@ -151,6 +151,14 @@ FrameRecord Tracker::Impl::start_submap(FrameRecord record, const SE3& T_world_c
   motion.forget_velocity();  // the camera did not move here from the last pose before
   make_keyframe();
   return record;
+}
+
+/// True if a new submap is to start at the frame in work. A stamp that has jumped back is no less
+/// far away.
+bool Tracker::Impl::is_lost_for_long() const {
+  constexpr int kFewestFrames = 4;  // see LostOptions::restart_time
+  const double seconds = std::abs(seconds_between(motion.last_stamp(), frame.images.stamp));
+  return lost_in_a_row >= kFewestFrames && seconds >= options.lost.restart_time;
 }
 
 /// Counts a lost frame.

@@ -62,9 +62,10 @@ struct LostOptions {
   double max_speed = 3.0;
   /// Largest angular speed of the camera [rad/s]. No hand turns a camera faster than 6 rad/s.
   double max_angular_speed = 6.0;
-  /// Number of lost frames in a row after which a new submap starts [frames]. 10 frames, a third of
-  /// a second at 30 Hz, bridge a hand before the camera. Raise it for higher frame rates.
-  int restart_after = 10;
+  /// Time without a pose after which a new submap starts [s], but not before the fourth lost frame,
+  /// so that three can say where the camera is (RelocalizationOptions::frames). A third of a second
+  /// bridges a hand before the camera.
+  double restart_time = 0.33;
 };
 
 /// How a camera is tracked.

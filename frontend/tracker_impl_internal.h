@@ -79,6 +79,7 @@ struct Tracker::Impl {
     return options.compensate_rolling_shutter && camera.readout_time > 0;
   }
 
+  [[nodiscard]] bool is_lost_for_long() const;
   [[nodiscard]] bool is_far(const Timestamp& stamp) const;
   Registered register_frame(const StartFinder& find_start);
   void try_found_start(const StartFinder& find_start, Registered& best);

@@ -28,8 +28,9 @@ OptionSet describe(LostOptions& o) {
            "Largest speed of the camera. The default is more than a hand can do.")
       .add("max_angular_speed", o.max_angular_speed, {0, 1000}, "rad/s",
            "Largest angular speed of the camera. The default is more than a hand can do.")
-      .add("restart_after", o.restart_after, {1, 1000000}, "frames",
-           "Number of lost frames in a row after which a new submap starts.")
+      .add("restart_time", o.restart_time, {0, 1e6}, "s",
+           "Time without a pose after which a new submap starts, but not before the fourth lost "
+           "frame.")
       .expert()
       .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",
            "Least normalised inner product of the clouds after a registration.");

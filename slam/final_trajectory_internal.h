@@ -37,6 +37,10 @@ class FrameHistory {
 
   [[nodiscard]] bool empty() const { return frames_.empty(); }
   [[nodiscard]] const TrackedPose& newest() const { return frames_.back(); }
+  /// Seconds from the newest frame to a time; 0 if there is none.
+  [[nodiscard]] double seconds_until(const Timestamp& stamp) const {
+    return empty() ? 0 : seconds_between(newest().stamp, stamp);
+  }
   /// The frame of a number that is in the history.
   [[nodiscard]] const TrackedPose& frame(std::size_t number) const;
   [[nodiscard]] const std::deque<TrackedPose>& frames() const { return frames_; }

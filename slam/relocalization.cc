@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 
 #include "cvo_slam/slam/relocalization_internal.h"
@@ -29,23 +30,25 @@ Relocalization relocalize(const RgbdFrame& images, const PointCloud& cloud, cons
 PoseConsensus::PoseConsensus(int frames, double max_speed, double max_angular_speed)
     : frames_(frames), max_speed_(max_speed), max_angular_speed_(max_angular_speed) {}
 
-bool PoseConsensus::add(const Timestamp& stamp, const RecognizedPose& pose) {
+bool PoseConsensus::add(const Timestamp& stamp, double period, const RecognizedPose& pose) {
+  constexpr double kShortest = 0.06;  // [s]; images of less say the same thing twice
+  constexpr double kLongest = 0.5;    // [s]; after more the camera may be anywhere
+  const double longest = std::max(kLongest, (frames_ + 1) * period);
   const Observation observation{stamp, pose.submap, pose.T_world_camera};
   std::erase_if(observations_,
-                [&](const Observation& earlier) { return !agree(earlier, observation); });
+                [&](const Observation& earlier) { return !agree(earlier, observation, longest); });
   observations_.push_back(observation);
-  return count() >= frames_;
+  if (count() < frames_) return false;
+  return frames_ == 1 || seconds_between(observations_.front().stamp, stamp) >= kShortest;
 }
 
-bool PoseConsensus::agree(const Observation& a, const Observation& b) const {
+bool PoseConsensus::agree(const Observation& a, const Observation& b, double longest) const {
   if (a.submap != b.submap) return false;
-  constexpr double kLongest = 0.5;       // [s]; after more the camera may be anywhere
   constexpr double kTranslation = 0.05;  // [m]; that either may be wrong by
   constexpr double kRotation = 0.05;     // [rad]
   const double seconds = std::abs(seconds_between(a.stamp, b.stamp));
   const SE3 motion = a.T_world_camera.inverse() * b.T_world_camera;
-  return seconds <= kLongest &&
-         motion.translation().norm() <= kTranslation + max_speed_ * seconds &&
+  return seconds <= longest && motion.translation().norm() <= kTranslation + max_speed_ * seconds &&
          motion.angle() <= kRotation + max_angular_speed_ * seconds;
 }
 

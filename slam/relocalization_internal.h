@@ -41,12 +41,13 @@ struct Relocalization {
 class PoseConsensus {
  public:
   /// `frames` must agree, on a path that a camera of no more than these speeds [m/s, rad/s] can
-  /// take.
+  /// take, and be of at least 0.06 s.
   PoseConsensus(int frames, double max_speed, double max_angular_speed);
 
-  /// Adds the pose of a frame and forgets earlier ones that disagree with it. Returns true if
-  /// enough agree.
-  bool add(const Timestamp& stamp, const RecognizedPose& pose);
+  /// Adds the pose of a frame, `period` seconds after the frame before, and forgets earlier ones
+  /// that disagree with it or are too old: of more than half a second ago and, where few frames
+  /// come a second, of more than one frame more than must agree. Returns true if enough agree.
+  bool add(const Timestamp& stamp, double period, const RecognizedPose& pose);
   void clear() { observations_.clear(); }
   /// Number of frames that agree now.
   [[nodiscard]] int count() const { return static_cast<int>(observations_.size()); }
@@ -57,7 +58,7 @@ class PoseConsensus {
     int submap = 0;
     SE3 T_world_camera;
   };
-  [[nodiscard]] bool agree(const Observation& a, const Observation& b) const;
+  [[nodiscard]] bool agree(const Observation& a, const Observation& b, double longest) const;
 
   int frames_;
   double max_speed_;

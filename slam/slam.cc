@@ -219,7 +219,7 @@ void Slam::Impl::localize(const RgbdFrame& frame, const FrameRecord& tracked) {
   }
   if (is_located || !options.loops.enabled) return;
   const auto pose = mapper.relocalize(frame, tracker.select_keyframe_points());
-  if (!pose || !consensus.add(frame.stamp, *pose)) return;
+  if (!pose || !consensus.add(frame.stamp, history.seconds_until(frame.stamp), *pose)) return;
   corrections[tracked.submap] = {pose->submap,
                                  pose->T_world_camera * tracked.T_world_camera.inverse()};
   set_located(pose->T_world_camera);
@@ -235,7 +235,7 @@ FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lo
   // The mapper is for one thread at a time; and every schedule must see the same map.
   jobs.wait_until_left(0);
   const auto pose = mapper.relocalize(frame, cloud);
-  if (!pose || !consensus.add(frame.stamp, *pose)) return lost;
+  if (!pose || !consensus.add(frame.stamp, history.seconds_until(frame.stamp), *pose)) return lost;
   FrameRecord record = tracker.resume(pose->T_world_camera);
   if (record.status == TrackingStatus::kLost) return lost;
   record.submap += first_submap;

@@ -52,8 +52,9 @@ struct ProximityOptions {
 /// tracking is lost, or the keyframe is of another submap. There may be several places that look
 /// the same.
 struct RelocalizationOptions {
-  /// Number of frames in a row that must agree before a lost camera goes on [frames]. One frame may
-  /// show an ambiguous place; 3 take a tenth of a second. Raise it in buildings that repeat.
+  /// Number of frames in a row that must agree before a lost camera goes on [frames]; they must be
+  /// at least 0.06 s apart, the time of 3 at 30 Hz. One frame may show an ambiguous place. Raise it
+  /// in buildings that repeat.
   int frames = 3;
   /// Number of keyframes that must agree before two submaps are joined [keyframes]. They are a
   /// quarter of a view apart, so that 3 cover some distance. Raise it in buildings that repeat.

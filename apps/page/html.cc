@@ -86,7 +86,7 @@ std::string data_uri(std::string_view media_type, std::string_view bytes) {
 }
 
 std::string jpeg_image(std::string_view bytes, std::string_view alternative) {
-  return fmt::format("<img alt=\"{}\" src=\"{}\">", escaped(alternative),
+  return fmt::format(R"(<img alt="{}" src="{}">)", escaped(alternative),
                      data_uri("image/jpeg", bytes));
 }
 

@@ -139,7 +139,7 @@ std::string plot(const Figure& figure, const std::string& caption) {
   constexpr std::size_t kMostBytes = 1'000'000;
   std::string svg = to_svg(figure);
   if (svg.size() > kMostBytes) {
-    const auto image = fmt::format("<img alt=\"{}\" src=\"{}\">", html::escaped(caption),
+    const auto image = fmt::format(R"(<img alt="{}" src="{}">)", html::escaped(caption),
                                    html::data_uri("image/png", to_png(figure)));
     return html::figure(image, caption);
   }

@@ -24,7 +24,7 @@ class TrackerKeyframes : public testing::Test {
   TrackerKeyframes() {
     // No keyframe but the first one of a submap.
     options_.keyframe = {.min_overlap = 0, .max_translation = 100, .max_rotation = 4};
-    options_.lost.restart_after = 3;
+    options_.lost.restart_time = 0.1;
   }
 
   void make_every_frame_a_keyframe() { options_.keyframe.max_translation = 1e-6; }
@@ -90,10 +90,11 @@ TEST_F(TrackerKeyframes, AreReturnedWhenANewSubmapStarts) {
   track(0);
   lose(1);
   lose(2);
-  const TrackedFrame restarted = tracker_.track(frames_.frame(3, kElsewhere));
+  lose(3);
+  const TrackedFrame restarted = tracker_.track(frames_.frame(4, kElsewhere));
   EXPECT_EQ(restarted.record.submap, 1);
   expect_frame(restarted.keyframe, 0);
-  expect_frame(tracker_.take_keyframe(), 3);
+  expect_frame(tracker_.take_keyframe(), 4);
 }
 
 TEST_F(TrackerKeyframes, AnEarlierFrameThatBecameOneIsReturnedToo) {

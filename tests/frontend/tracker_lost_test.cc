@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -103,16 +104,16 @@ TEST_F(LostFrames, StampsMustAscend) {
 }
 
 TEST_F(LostFrames, OneStampFromTheFutureDoesNotLoseAllThatFollow) {
-  options_.lost.restart_after = 3;
+  options_.lost.restart_time = 0.1;
   options_.lost.max_speed = options_.lost.max_angular_speed = 1000;
   use(options_);
   expect_tracked(track(0));
   expect_tracked(track_changed(1, [](auto& f) { f.stamp = Timestamp::from_seconds(1e6); }));
-  for (const std::size_t i : {2U, 3U}) expect_lost(track(i), "its stamp is not after");
-  const FrameRecord restarted = track(4);
+  for (const std::size_t i : {2U, 3U, 4U}) expect_lost(track(i), "its stamp is not after");
+  const FrameRecord restarted = track(5);
   EXPECT_EQ(restarted.status, TrackingStatus::kTracked);
   EXPECT_EQ(restarted.submap, 1);
-  EXPECT_EQ(track(5).status, TrackingStatus::kTracked);
+  EXPECT_EQ(track(6).status, TrackingStatus::kTracked);
 }
 
 TEST_F(LostFrames, AFrameThatNeedsTheLastOneAsKeyframeSaysSo) {
@@ -171,47 +172,74 @@ TEST_F(LostFrames, AResultThatIsNotLikeTheKeyframeIsNotBelieved) {
   expect_lost(track(5), "cos_theta 0.");
 }
 
-TEST_F(LostFrames, ANewSubmapStartsAfterTooManyInARow) {
-  options_.lost.restart_after = 3;
+TEST_F(LostFrames, ANewSubmapStartsAfterTooLong) {
+  options_.lost.restart_time = 0.1;
   use(options_);
   std::vector<FrameRecord> records;
   for (std::size_t i = 0; i < 2; ++i) records.push_back(track(i));
-  for (std::size_t i = 2; i < 9; ++i) {
+  for (std::size_t i = 2; i < 10; ++i) {
     records.push_back(tracker_.track(frames_.frame(i, kElsewhere + i)).record);
   }
-  for (const std::size_t i : {2U, 3U}) {
+  for (const std::size_t i : {2U, 3U, 4U}) {
     EXPECT_EQ(records[i].status, TrackingStatus::kLost) << i;
     EXPECT_EQ(records[i].submap, 0);
   }
-  for (std::size_t i = 4; i < 9; ++i) {
+  for (std::size_t i = 5; i < 10; ++i) {
     EXPECT_EQ(records[i].status, TrackingStatus::kTracked) << records[i].reason;
     EXPECT_EQ(records[i].submap, 1);
     EXPECT_EQ(records[i].reason, "");
     // The path starts at the last known pose, relative to the submap's first frame.
     const SE3 moved =
-        records[1].T_world_camera * frames_.T_first_camera(kElsewhere + 4, kElsewhere + i);
+        records[1].T_world_camera * frames_.T_first_camera(kElsewhere + 5, kElsewhere + i);
     EXPECT_LT((moved.inverse() * records[i].T_world_camera).translation().norm(), 2 * kPixel);
   }
-  EXPECT_EQ(records[4].keyframe, 4U);
-  EXPECT_EQ(records[4].keyframe_reason, "start of a submap");
+  EXPECT_EQ(records[5].keyframe, 5U);
+  EXPECT_EQ(records[5].keyframe_reason, "start of a submap");
   // The refused registration to the old keyframe is not in the record.
-  EXPECT_EQ(records[4].registration.iterations, 0);
-  EXPECT_EQ(records[4].registration.T_fixed_moving.matrix(), SE3().matrix());
+  EXPECT_EQ(records[5].registration.iterations, 0);
+  EXPECT_EQ(records[5].registration.T_fixed_moving.matrix(), SE3().matrix());
 
   // The second submap has five frames, the first one two: the second one is the trajectory.
   const Trajectory trajectory = to_trajectory(records);
   ASSERT_EQ(trajectory.poses.size(), 5U);
-  EXPECT_EQ(trajectory.poses.front().stamp, records[4].stamp);
-  ASSERT_EQ(trajectory.lost.size(), 4U);
+  EXPECT_EQ(trajectory.poses.front().stamp, records[5].stamp);
+  ASSERT_EQ(trajectory.lost.size(), 5U);
   EXPECT_THAT(trajectory.lost[0].reason, HasSubstr("submap 0 is not connected"));
   EXPECT_EQ(trajectory.lost[2].reason, records[2].reason);
 }
 
+// The time counts, whatever the frame rate; but so few frames are too few to be recognised in.
+TEST_F(LostFrames, ANewSubmapStartsAfterTheSameTimeAtEveryRate) {
+  constexpr double kRestart = 0.33;  // [s]
+  const auto lost_frames = [&](double rate) {
+    options_ = tracker_test_options();
+    options_.lost.restart_time = kRestart;
+    use(options_);
+    const auto frame = [&](std::size_t i, std::size_t place) {
+      RgbdFrame made = frames_.frame(i, place);
+      made.stamp = made.depth_stamp = Timestamp::from_seconds(100 + static_cast<double>(i) / rate);
+      return made;
+    };
+    std::ignore = tracker_.track(frame(0, 0));
+    int lost = 0;
+    while (tracker_.track(frame(static_cast<std::size_t>(lost) + 1, kElsewhere)).record.status ==
+           TrackingStatus::kLost) {
+      ++lost;
+      if (lost > 100) break;
+    }
+    return lost;
+  };
+  EXPECT_EQ(lost_frames(120), 39) << "the 40th is the first after a third of a second";
+  EXPECT_EQ(lost_frames(30), 9);
+  EXPECT_EQ(lost_frames(5), 3);
+  EXPECT_EQ(lost_frames(1), 3);
+}
+
 TEST_F(LostFrames, LossesThatAreNotInARowDoNotRestart) {
-  options_.lost.restart_after = 2;
+  options_.lost.restart_time = 0;  // at the fourth
   use(options_);
   expect_tracked(track(0));
-  for (std::size_t i = 1; i < 6; i += 2) {
+  for (std::size_t i = 1; i < 12; i += 2) {
     EXPECT_EQ(tracker_.track(frames_.frame(i, kElsewhere)).record.status, TrackingStatus::kLost);
     const FrameRecord record = track(i + 1);
     expect_tracked(record);

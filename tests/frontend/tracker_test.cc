@@ -247,7 +247,7 @@ TEST(Tracker, RejectsImpossibleCamerasAndOptions) {
   EXPECT_THROW(with([](auto&, auto& o) { o.points = 0; }), OptionError);
   EXPECT_THROW(with([](auto&, auto& o) { o.threads = 0; }), OptionError);
   EXPECT_THROW(with([](auto&, auto& o) { o.keyframe.min_overlap = 2; }), OptionError);
-  EXPECT_THROW(with([](auto&, auto& o) { o.lost.restart_after = 0; }), OptionError);
+  EXPECT_THROW(with([](auto&, auto& o) { o.lost.restart_time = -1; }), OptionError);
   EXPECT_THROW(with([](auto&, auto& o) { o.selection.max_depth = -1; }), OptionError);
   EXPECT_THROW(with([](auto&, auto& o) { o.registration.length_scales.clear(); }), OptionError);
 }

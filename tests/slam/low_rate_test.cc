@@ -46,7 +46,7 @@ TEST(LowRate, FeaturesKeepFastTurnsTracked) {
   const LowRateRun run = track_every(*data, 6, true);
   EXPECT_EQ(run.lost, 0U);
   EXPECT_LT(kDegrees * run.rotation, 3);
-  EXPECT_GT(track_every(*data, 6, false).lost, 5U) << "without features";
+  EXPECT_GE(track_every(*data, 6, false).lost, 3U) << "without features: then a submap starts";
 }
 
 }  // namespace

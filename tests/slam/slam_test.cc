@@ -226,7 +226,7 @@ TEST_F(SlamOnSyntheticFrames, LostFramesStayLost) {
 }
 
 TEST_F(SlamOnSyntheticFrames, SubmapsAreNotConnected) {
-  slam_.tracker.lost.restart_after = 2;
+  slam_.tracker.lost.restart_time = 0;
   const SyntheticFrames walk{small_camera(320, 240)};
   constexpr std::size_t kElsewhere = 150;  // another wall
   Slam slam = make_slam();
