@@ -142,16 +142,16 @@ std::string to_table(const RunReport& report) {
 std::string frames_csv(const OdometryRun& run) {
   std::string csv =
       "index,stamp,status,reason,submap,keyframe,keyframe_reason,points,registration,overlap,"
-      "cos_theta,iterations,read_ms,track_ms,localized\n";
+      "cos_theta,iterations,read_ms,track_ms,localized,doubt\n";
   for (std::size_t i = 0; i < run.records.size(); ++i) {
     const FrameRecord& r = run.records[i];
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{:.3f},{:.3f},{}\n", r.index,
-                    r.stamp.to_string(), r.status == TrackingStatus::kTracked ? "tracked" : "lost",
-                    csv_quoted(r.reason), r.submap, r.keyframe, csv_quoted(r.keyframe_reason),
-                    r.points, registration_word(r.registration), r.registration.overlap,
-                    r.registration.cos_theta, r.registration.iterations, run.costs[i].read_ms,
-                    run.costs[i].track_ms, r.localized ? 1 : 0);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{:.3f},{:.3f},{},{:.4f}\n",
+                       r.index, r.stamp.to_string(),
+                       r.status == TrackingStatus::kTracked ? "tracked" : "lost",
+                       csv_quoted(r.reason), r.submap, r.keyframe, csv_quoted(r.keyframe_reason),
+                       r.points, registration_word(r.registration), r.registration.overlap,
+                       r.registration.cos_theta, r.registration.iterations, run.costs[i].read_ms,
+                       run.costs[i].track_ms, r.localized ? 1 : 0, r.doubt);
   }
   return csv;
 }

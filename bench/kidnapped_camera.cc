@@ -267,18 +267,20 @@ class Kidnapping {
       tally.found = 1;
       tally.frames.push_back(static_cast<int>(i) + 1);
     }
-    if (arguments_.verbose) {
-      fmt::print("{}: frames {} to {} ({}, {:.2f} s): found {} wrong {} after {}\n", name_,
-                 stay.first_frame, stay.first_frame + stay.frames, stay.seen ? "seen" : "unseen",
-                 stay.begin, tally.found, tally.wrong, fmt::join(tally.frames, ","));
-      for (const LoopCandidate& c : slam_.loop_candidates()) {
-        if (c.kind != EdgeKind::kLoop || c.to < stay.first_frame) continue;
-        fmt::print("    {} {} inliers {} overlap {:.2f} cos {:.3f} {} {}\n", c.from, c.to,
-                   c.inliers, c.overlap, c.cos_theta, c.relocalization ? "lost" : "keyframe",
-                   c.accepted ? "accepted" : c.reason);
-      }
-    }
+    if (arguments_.verbose) print(stay, tally);
     return tally;
+  }
+
+  void print(const Stay& stay, const Tally& tally) const {
+    fmt::print("{}: frames {} to {} ({}, {:.2f} s): found {} wrong {} after {}\n", name_,
+               stay.first_frame, stay.first_frame + stay.frames, stay.seen ? "seen" : "unseen",
+               stay.begin, tally.found, tally.wrong, fmt::join(tally.frames, ","));
+    for (const LoopCandidate& c : slam_.loop_candidates()) {
+      if (c.kind != EdgeKind::kLoop || c.to < stay.first_frame) continue;
+      fmt::print("    {} {} inliers {} overlap {:.2f} cos {:.3f} {} {}\n", c.from, c.to, c.inliers,
+                 c.overlap, c.cos_theta, c.relocalization ? "lost" : "keyframe",
+                 c.accepted ? "accepted" : c.reason);
+    }
   }
 
   [[nodiscard]] SE3 T_world_camera(std::size_t frame) const {

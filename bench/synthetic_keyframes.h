@@ -36,7 +36,8 @@ class SyntheticKeyframes {
 
   /// True pose of keyframe i in the world, whose z axis points at the wall.
   static SE3 T_world_camera(std::size_t i) {
-    const auto row = static_cast<double>(i / kRow);
+    const std::size_t rows = i / kRow;
+    const auto row = static_cast<double>(rows);
     const std::size_t in_row = i % kRow;
     const double along = kStep * static_cast<double>(std::min(in_row, kAlong));
     const double down = kStep * static_cast<double>(in_row - std::min(in_row, kAlong));

@@ -48,6 +48,7 @@ TrackedFrame Tracker::Impl::track(const RgbdFrame& given, const StartFinder& fin
   const Registered registered = register_frame(find_start);
   record.keyframe = registered.keyframe;
   record.promoted_keyframe = registered.promoted_keyframe;
+  record.doubt = registered.doubt;
   record.registration = registered.result;
   record.T_world_camera = registered.T_world_camera;
   if (!registered.is_believed()) {
@@ -124,6 +125,7 @@ void Tracker::Impl::undo_shutter(const Vector6& velocity, PointCloud& cloud) con
 /// register_from()).
 FrameRecord Tracker::Impl::accept(FrameRecord record) {
   record.status = TrackingStatus::kTracked;
+  usual.add(record.registration.cos_theta);
   keep_as_last_tracked(record.T_world_camera);
   if (options.reference == Reference::kPreviousFrame) {
     record.keyframe_reason = "previous frame";
@@ -142,6 +144,7 @@ FrameRecord Tracker::Impl::start_submap(FrameRecord record, const SE3& T_world_c
   record.T_world_camera = T_world_camera;
   record.keyframe = record.index;
   record.keyframe_reason = "start of a submap";
+  record.doubt = 0;
   record.registration = {};
   record.registration.status = RegistrationStatus::kConverged;
   record.registration.reason = "the keyframe itself";

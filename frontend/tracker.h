@@ -62,6 +62,11 @@ struct LostOptions {
   double max_speed = 3.0;
   /// Largest angular speed of the camera [rad/s]. No hand turns a camera faster than 6 rad/s.
   double max_angular_speed = 6.0;
+  /// Largest probability that the pose is wrong by more than 5 cm or 3 degrees, in [0, 1]
+  /// (FrameRecord::doubt); 1 = any. Lower it where a wrong pose is worse than none: 0.5 refuses
+  /// three of five that are wrong and passed all else, and 4 in 1000 that are right. A map is
+  /// better off with all of them, because it finds most wrong ones itself.
+  double max_doubt = 1;
   /// Time without a pose after which a new submap starts [s], but not before the fourth lost frame,
   /// so that three can say where the camera is (RelocalizationOptions::frames). A third of a second
   /// bridges a hand before the camera.
@@ -138,6 +143,9 @@ struct FrameRecord {
   /// Index of an earlier frame that was made the keyframe because this one could not be registered
   /// to the one before; empty as a rule.
   std::optional<std::size_t> promoted_keyframe;
+  /// Probability that the pose relative to the keyframe is wrong by more than 5 cm or 3 degrees, by
+  /// a model that was fitted to recordings with true poses. Of a lost frame, that of the last try.
+  double doubt = 0;
   std::size_t points = 0;           ///< number of selected points
   RegistrationResult registration;  ///< to the keyframe: T_fixed_moving = T_keyframe_camera
 };

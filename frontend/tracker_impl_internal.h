@@ -14,6 +14,7 @@
 #include "cvo_slam/frontend/exposure_internal.h"
 #include "cvo_slam/frontend/motion_model_internal.h"
 #include "cvo_slam/frontend/tracker.h"
+#include "cvo_slam/frontend/tracking_doubt_internal.h"
 #include "cvo_slam/frontend/tracking_judgement_internal.h"
 
 namespace cvo_slam {
@@ -23,7 +24,9 @@ struct Registered {
   std::size_t keyframe = 0;  // index of its frame
   RegistrationResult result;
   SE3 T_world_camera;
-  std::string fault;  // why it is not believed; empty if it is
+  std::string fault;       // why it is not believed; empty if it is
+  DoubtEvidence evidence;  // of its doubt
+  double doubt = 1;
   std::optional<std::size_t> promoted_keyframe = std::nullopt;
 
   [[nodiscard]] bool is_believed() const { return fault.empty(); }
@@ -50,6 +53,7 @@ struct Tracker::Impl {
   MotionModel motion;
   ExposureGain exposure;
   KeyframePolicy policy;
+  UsualSimilarity usual;
 
   PreparedFrame frame;  // the one given last; after it was tracked, memory
   PointCloud seen;      // its points as its rows saw them
@@ -83,6 +87,7 @@ struct Tracker::Impl {
   [[nodiscard]] bool is_far(const Timestamp& stamp) const;
   Registered register_frame(const StartFinder& find_start);
   void try_found_start(const StartFinder& find_start, Registered& best);
+  void refuse_if_doubtful(Registered& registered) const;
   Registered register_from(const SE3& T_world_camera_init, int skip);
   [[nodiscard]] TrackingSituation situation_of(const Registered& registered, bool is_lost) const;
   Registered register_to_remade_keyframe(const Registered& first);

@@ -28,6 +28,9 @@ OptionSet describe(LostOptions& o) {
            "Largest speed of the camera. The default is more than a hand can do.")
       .add("max_angular_speed", o.max_angular_speed, {0, 1000}, "rad/s",
            "Largest angular speed of the camera. The default is more than a hand can do.")
+      .add("max_doubt", o.max_doubt, {0, 1}, "",
+           "Largest probability that the pose is wrong by more than 5 cm or 3 degrees; 1 = any. "
+           "Lower it where a wrong pose is worse than none.")
       .add("restart_time", o.restart_time, {0, 1e6}, "s",
            "Time without a pose after which a new submap starts, but not before the fourth lost "
            "frame.")

@@ -17,6 +17,14 @@ bool Tracker::Impl::is_far(const Timestamp& stamp) const {
   return seconds_between(motion.last_stamp(), stamp) > kLongestPrediction;
 }
 
+/// Does not believe a registration that is likely to be wrong.
+void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
+  if (!registered.is_believed() || registered.doubt <= options.lost.max_doubt) return;
+  registered.fault =
+      fmt::format("wrong by more than 5 cm or 3 degrees with a probability of {:.2f}, above {:.2f}",
+                  registered.doubt, options.lost.max_doubt);
+}
+
 /// Registers from the predicted pose; if that fails, with all length scales, and so too if the last
 /// frame is long ago: the more similar of the two answers is taken; if that fails too,
 /// without the velocity; and at last to the last tracked frame, the most similar one there is. That
@@ -43,12 +51,22 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
         (wider.is_believed() && wider.result.cos_theta > registered.result.cos_theta);
     if (is_better) registered = wider;
   }
-  if (!registered.is_believed() || is_far(stamp)) try_found_start(find_start, registered);
-  if (!registered.is_believed() && from_velocity) registered = register_from(motion.last_pose(), 0);
+  constexpr double kDoubtful = 0.02;  // a fiftieth of these are wrong
+  if (!registered.is_believed() || registered.doubt > kDoubtful) {
+    try_found_start(find_start, registered);
+  }
+  refuse_if_doubtful(registered);
+  if (!registered.is_believed() && from_velocity) {
+    registered = register_from(motion.last_pose(), 0);
+    refuse_if_doubtful(registered);
+  }
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
     make_keyframe();
     registered = register_from(motion.last_pose(), 0);
-    if (!registered.is_believed()) try_found_start(find_start, registered);
+    if (!registered.is_believed() || registered.doubt > kDoubtful) {
+      try_found_start(find_start, registered);
+    }
+    refuse_if_doubtful(registered);
     registered.promoted_keyframe = keyframe->frame;
   }
   if (registered.is_believed() && predict && keyframe->lacks_velocity) {
@@ -66,16 +84,12 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
   if (!find_start) return;
   const auto T_keyframe_start = find_start(keyframe_images, frame.images);
   if (!T_keyframe_start) return;
-  const auto is_near_start = [&](const Registered& registered, double translation,
-                                 double rotation) {
-    const SE3 difference = T_keyframe_start->inverse() * registered.result.T_fixed_moving;
-    return difference.translation().norm() < translation && difference.angle() < rotation;
-  };
-  constexpr double kSameTranslation = 0.06;  // [m]; features of blurred images are as inexact
-  constexpr double kSameRotation = 0.06;     // [rad]
   Registered found =
       register_from(keyframe->T_world_camera * *T_keyframe_start, options.recovery_scales);
-  const bool agrees = is_near_start(found, kSameTranslation, kSameRotation);
+  const auto opinion = [&](const Registered& registered) {
+    return opinion_on(registered.result.T_fixed_moving, *T_keyframe_start);
+  };
+  const bool agrees = opinion(found) == FeatureOpinion::kAgrees;
   if (!found.is_believed() && agrees) {
     // Blurred images are less similar. That two measurements agree makes up for it.
     LostOptions lenient = options.lost;
@@ -87,10 +101,10 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
   const auto is_certain = [&](const Registered& registered) {
     return find_fault(registered.result, situation_of(registered, true), options.lost).empty();
   };
-  constexpr double kElsewhere = 2.5;  // times as far
+  const SE3 T_start_best = T_keyframe_start->inverse() * best.result.T_fixed_moving;
   const bool best_is_elsewhere =
       best.is_believed() &&
-      !is_near_start(best, kElsewhere * kSameTranslation, kElsewhere * kSameRotation);
+      (T_start_best.translation().norm() >= 0.15 /* m */ || T_start_best.angle() >= 0.15 /* rad */);
   if (found.is_believed()) {
     const bool is_better = !best.is_believed() || (agrees && best_is_elsewhere) ||
                            found.result.cos_theta > best.result.cos_theta;
@@ -98,6 +112,9 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
   } else if (best_is_elsewhere && !is_certain(best)) {
     best.fault = "the features of the images say that the camera is elsewhere";
   }
+  if (best.result.status == RegistrationStatus::kFailed) return;
+  best.evidence.features = opinion(best);
+  best.doubt = doubt_of(best.evidence);
 }
 
 /// Registers the frame in work to the keyframe from a start, and judges the result.
@@ -119,8 +136,13 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
     registered.result = registration.align(points, T_init, skip);
   }
   registered.T_world_camera = T_world_keyframe * registered.result.T_fixed_moving;
-  registered.fault =
-      find_fault(registered.result, situation_of(registered, lost_in_a_row > 0), options.lost);
+  const TrackingSituation situation = situation_of(registered, lost_in_a_row > 0);
+  registered.fault = find_fault(registered.result, situation, options.lost);
+  if (registered.result.status == RegistrationStatus::kFailed) return registered;
+  registered.evidence =
+      evidence_of(registered.result, motion.predict(stamp).inverse() * registered.T_world_camera,
+                  situation.seconds, usual);
+  registered.doubt = doubt_of(registered.evidence);
   return registered;
 }
 
@@ -139,6 +161,7 @@ Registered Tracker::Impl::register_to_remade_keyframe(const Registered& first) {
   select(frame, options.points, seen);
   Registered registered = register_from(first.T_world_camera, options.recovery_scales);
   registered.promoted_keyframe = first.promoted_keyframe;
+  registered.doubt = first.doubt;  // the prediction that it was compared with is known no more
   return registered;
 }
 

@@ -104,6 +104,8 @@ void bind_record(py::module_& module) {
       .def_readonly("keyframe_reason", &FrameRecord::keyframe_reason,
                     "Why the frame became a keyframe; empty if it did not.")
       .def_readonly("points", &FrameRecord::points, "Number of its points.")
+      .def_readonly("doubt", &FrameRecord::doubt,
+                    "Probability that the pose is wrong by more than 5 cm or 3 degrees.")
       .def_readonly("registration", &FrameRecord::registration, "To the keyframe.")
       .def("__repr__", [](const FrameRecord& self) {
         const bool is_tracked = self.status == TrackingStatus::kTracked;

@@ -28,7 +28,7 @@ using testing::StartsWith;
 
 class BenchCommand : public testing::Test {
  protected:
-  ProgramResult bench(std::vector<std::string> arguments) const {
+  [[nodiscard]] ProgramResult bench(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"bench", "odometry", sequence_.string(), "--quiet"});
     return run_program(arguments);
   }

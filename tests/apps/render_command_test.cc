@@ -159,8 +159,9 @@ std::string two_rows(const std::string& type, double x, double y) {
       "end_header\n",
       type);
   for (int i = 0; i < 100; ++i) {
+    const int row = i / 50;
     const double along = static_cast<double>(i % 50) / 64;
-    const double aside = static_cast<double>(i / 50) / 64;
+    const double aside = static_cast<double>(row) / 64;
     text += fmt::format("{:.6f} {:.6f} 0 200 0 0\n", x + aside, y + along);
   }
   return text;

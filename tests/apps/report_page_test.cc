@@ -41,7 +41,8 @@ const std::vector<std::string> kSlam = {"--mode", "slam",
 
 class ReportPage : public testing::Test {
  protected:
-  int run(const std::vector<std::string>& options, const std::string& out = "out") const {
+  [[nodiscard]] int run(const std::vector<std::string>& options,
+                        const std::string& out = "out") const {
     std::vector<std::string> arguments = {"run", sequence_, "--quiet", "--out",
                                           folder_.path() / out};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -81,8 +82,8 @@ TEST_F(ReportPage, ShowsFiguresPlotsMapOptionsAndFiles) {
         "<dt>ATE</dt>", "<td>RPE 1 frame</td>", "alt=\"The map with the camera&#39;s path\"",
         "Top</text>", "ATE translation, RMSE", "Overlap with the keyframe", "No frame was lost.",
         "<h2>Time and memory</h2>", "2 options are not the default:",
-        "<td class=\"code\">loops.enabled</td><td class=\"code\">false</td>",
-        "<td class=\"code\">tracker.points</td><td class=\"code\">900</td>", "href=\"frames.csv\"",
+        R"(<td class="code">loops.enabled</td><td class="code">false</td>)",
+        R"(<td class="code">tracker.points</td><td class="code">900</td>)", "href=\"frames.csv\"",
         "href=\"map.ply\"", "no RPE 1 s"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }

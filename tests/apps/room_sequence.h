@@ -49,7 +49,7 @@ class RoomSequence {
  private:
   static std::filesystem::path rendered(std::size_t frames) {
     static const TemporaryFolder all;
-    const auto sequence = all.path() / std::to_string(frames);
+    auto sequence = all.path() / std::to_string(frames);
     if (!std::filesystem::exists(sequence)) {
       synthetic::write_sequence(sequence, {.frames = frames, .width = 160, .height = 120});
     }

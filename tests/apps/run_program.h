@@ -47,6 +47,7 @@ inline ProgramResult run_program(const std::vector<std::string>& arguments,
   std::vector<std::string> words = {CVO_SLAM_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (auto& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   pid_t process = 0;

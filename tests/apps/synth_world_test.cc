@@ -15,8 +15,8 @@ using testing::HasSubstr;
 class SynthWorld : public testing::Test {
  protected:
   /// Writes two small frames into a folder of that name.
-  ProgramResult synth(const std::string& world, const std::string& name,
-                      const std::vector<std::string>& options = {}) const {
+  [[nodiscard]] ProgramResult synth(const std::string& world, const std::string& name,
+                                    const std::vector<std::string>& options = {}) const {
     std::vector<std::string> words = {"synth", world,    path(name), "--frames",
                                       "2",     "--size", "32x24"};
     words.insert(words.end(), options.begin(), options.end());

@@ -29,8 +29,8 @@ class VocabCommand : public testing::Test {
     }
   }
 
-  [[nodiscard]] ProgramResult train(const std::string& output,
-                                    const std::vector<std::string>& more) const {
+  [[nodiscard]] static ProgramResult train(const std::string& output,
+                                           const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"vocab", "train", "-o", output, "-k", "4", "-L", "3"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_program(arguments);

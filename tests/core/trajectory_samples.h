@@ -16,10 +16,12 @@ inline Timestamp milliseconds(std::int64_t value) { return Timestamp(value * 100
 /// A helix with turning orientation, a pose every 100 ms: not in a plane, not symmetric.
 inline std::vector<StampedPose> helix(int count) {
   std::vector<StampedPose> poses;
+  poses.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const double s = 0.1 * i;
     const Vector3 position(std::cos(s), 2 * std::sin(s), 0.3 * s);
-    poses.push_back({milliseconds(100 * i), SE3(so3_exp({0.2 * s, 0.1, -0.3 * s}), position)});
+    poses.push_back(
+        {milliseconds(std::int64_t{100} * i), SE3(so3_exp({0.2 * s, 0.1, -0.3 * s}), position)});
   }
   return poses;
 }
@@ -29,7 +31,7 @@ inline std::vector<StampedPose> helix(int count) {
 inline std::vector<StampedPose> swaying(int seconds, std::int64_t first_ms = 0) {
   constexpr std::int64_t kPeriod = 20;
   std::vector<StampedPose> poses;
-  for (std::int64_t ms = first_ms; ms < first_ms + 1000 * seconds; ms += kPeriod) {
+  for (std::int64_t ms = first_ms; ms < first_ms + std::int64_t{1000} * seconds; ms += kPeriod) {
     const double t = 1e-3 * static_cast<double>(ms);
     poses.push_back(
         {milliseconds(ms), SE3(so3_exp({0.5 * std::sin(2 * t), 0.3 * std::sin(3 * t), 0}),
@@ -49,8 +51,10 @@ inline std::vector<StampedPose> by_late_clock(std::vector<StampedPose> poses, st
 /// Poses at x = 0, step, 2 step, ... without rotation, 100 ms apart.
 inline std::vector<StampedPose> line(int count, double step = 1) {
   std::vector<StampedPose> poses;
+  poses.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    poses.push_back({milliseconds(100 * i), SE3(Matrix3::Identity(), {step * i, 0, 0})});
+    poses.push_back(
+        {milliseconds(std::int64_t{100} * i), SE3(Matrix3::Identity(), {step * i, 0, 0})});
   }
   return poses;
 }

@@ -30,6 +30,7 @@ class TinySequence {
  public:
   [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
+  // NOLINTNEXTLINE(modernize-use-nodiscard): most tests look at the files
   std::filesystem::path write(const std::string& relative, const std::string& text) const {
     return folder_.write(relative, text);
   }

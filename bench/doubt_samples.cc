@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tracks recordings at their own and at lower frame rates and prints for each registration,
+// believed or not, what the tracker knows of it and how wrong it is: the samples that
+// bench/fit_doubt.py fits the tracker's doubt to.
+//   doubt_samples [--depth-offset s] [--steps 1,2,4] [--features] [--frames N] sequence
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cvo_slam/bench/report_errors.h"
+#include "cvo_slam/core/association.h"
+#include "cvo_slam/frontend/motion_model_internal.h"
+#include "cvo_slam/frontend/tracker.h"
+#include "cvo_slam/frontend/tracking_doubt_internal.h"
+#include "cvo_slam/io/dataset.h"
+#include "cvo_slam/loop/loop_detector.h"
+#include "cvo_slam/slam/feature_start_internal.h"
+#include "cvo_slam/slam/slam_options.h"
+
+namespace cvo_slam {
+namespace {
+
+struct Arguments {
+  std::string sequence;
+  std::vector<std::size_t> steps = {1, 2, 3, 4, 6, 8};
+  double depth_offset = 0;
+  std::size_t frames = 0;
+  bool with_features = false;
+};
+
+/// What the tracker knew when it judged each frame, from its records.
+class Replay {
+ public:
+  DoubtEvidence evidence(const FrameRecord& record, const SE3& T_world_camera) const {
+    const double seconds = seconds_between(motion_.last_stamp(), record.stamp);
+    return evidence_of(record.registration,
+                       motion_.predict(record.stamp).inverse() * T_world_camera, seconds, usual_);
+  }
+  void add(const FrameRecord& record) {
+    if (record.status == TrackingStatus::kLost) {
+      motion_.forget_velocity();
+      return;
+    }
+    motion_.update(record.stamp, record.T_world_camera);
+    if (record.keyframe != record.index) usual_.add(record.registration.cos_theta);
+    if (record.keyframe == record.index) motion_.forget_velocity();
+  }
+
+ private:
+  MotionModel motion_;
+  UsualSimilarity usual_;
+};
+
+void print_samples(const Dataset& data, std::size_t step, const Arguments& arguments) {
+  const SlamOptions options;
+
+  Tracker tracker(data.camera(), options.tracker);
+  LoopDetector detector(data.camera(), options.loops.detection);
+  AppearanceCache appearances(detector);
+  FeatureStart start(data.camera(), options.loops.detection.verification, appearances);
+  std::optional<SE3> from_features;  // for the last pair that the tracker asked for
+  const StartFinder find_start = [&](const RgbdFrame& keyframe, const RgbdFrame& frame) {
+    from_features = start.find(keyframe, frame);
+    return from_features;
+  };
+  Replay replay;
+  std::vector<std::optional<SE3>> poses(data.size());  // as tracked
+  const std::size_t end =
+      arguments.frames > 0 ? std::min(arguments.frames, data.size()) : data.size();
+  const auto truth_of = [&](std::size_t i) {
+    constexpr double kMaxGap = 0.1;  // [s]
+    return interpolate_at(data.reference(), data.stamp(i), kMaxGap);
+  };
+  for (std::size_t i = 0; i < end; i += step) {
+    from_features.reset();
+    const FrameRecord record =
+        tracker.track(data.read(i), arguments.with_features ? find_start : StartFinder()).record;
+    const RegistrationResult& result = record.registration;
+    const auto truth = truth_of(i);
+    const auto keyframe_truth = truth_of(record.keyframe);
+    const bool is_registered = result.status != RegistrationStatus::kFailed &&
+                               record.keyframe != i && poses[record.keyframe];
+    if (is_registered && truth && keyframe_truth) {
+      DoubtEvidence e = replay.evidence(record, *poses[record.keyframe] * result.T_fixed_moving);
+      if (from_features) e.features = opinion_on(result.T_fixed_moving, *from_features);
+      const SE3 error = (keyframe_truth->inverse() * *truth).inverse() * result.T_fixed_moving;
+      fmt::print("{},{},{},{},{},{:.5f},{:.5f},{:.4f},{:.4f},{:.6f},{:.5f},{:.4f},{}\n",
+                 data.name(), step, arguments.with_features ? 1 : 0, i,
+                 record.status == TrackingStatus::kTracked ? 1 : 0, error.translation().norm(),
+                 error.angle(), e.overlap, e.relative_cos_theta, e.sigma, e.surprise, e.seconds,
+                 static_cast<int>(e.features));
+    }
+    if (record.status == TrackingStatus::kTracked) poses[i] = record.T_world_camera;
+    replay.add(record);
+  }
+}
+
+void run(const Arguments& arguments) {
+  DatasetOptions options;
+  options.depth_offset = arguments.depth_offset;
+  const auto data = open_dataset(arguments.sequence, options);
+  for (const std::size_t step : arguments.steps) print_samples(*data, step, arguments);
+}
+
+}  // namespace
+}  // namespace cvo_slam
+
+// NOLINTNEXTLINE(bugprone-exception-escape): options that are defined wrongly throw, no others
+int main(int argc, char** argv) {
+  cvo_slam::Arguments arguments;
+  CLI::App app("Prints what the tracker knows of registrations and how wrong they are");
+  app.add_option("sequence", arguments.sequence)->required();
+  app.add_option("--steps", arguments.steps, "Every n-th frame, for each n")->delimiter(',');
+  app.add_option("--depth-offset", arguments.depth_offset, "As in the program [s]");
+  app.add_option("--frames", arguments.frames, "Only the first frames; 0 = all");
+  app.add_flag("--features", arguments.with_features, "With starts found by features");
+  CLI11_PARSE(app, argc, argv);
+  return cvo_slam::report_errors([&] { cvo_slam::run(arguments); });
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The cvo_slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cvo_slam/core/se3.h"
+#include "cvo_slam/frontend/registration.h"
+
+namespace cvo_slam {
+
+/// What a pose from the features of the two images says of a registration.
+enum class FeatureOpinion {
+  kNone,       ///< nobody asked, or too few features match
+  kAgrees,     ///< it is near
+  kElsewhere,  ///< it is elsewhere
+};
+
+/// What tells right registrations from wrong ones. Translations [m] and rotations [rad] count
+/// alike: what a rotation moves is a metre or two away.
+struct DoubtEvidence {
+  double overlap = 0;             ///< RegistrationResult::overlap
+  double relative_cos_theta = 0;  ///< its cos_theta, as a share of what is usual
+  double sigma = 0;     ///< the larger standard deviation, each in its least certain direction
+  double surprise = 0;  ///< the larger difference from where the last velocity leads
+  double seconds = 0;   ///< time since the last tracked frame
+  FeatureOpinion features = FeatureOpinion::kNone;
+};
+
+/// Compares a registration with T_fixed_moving from features.
+[[nodiscard]] FeatureOpinion opinion_on(const SE3& T_fixed_moving, const SE3& from_features);
+
+/// Returns the probability that a registration is wrong by more than 5 cm or 3 degrees: a logistic
+/// model that was fitted to recordings with their true poses (bench/fit_doubt.py,
+/// docs/results/doubt.md).
+[[nodiscard]] double doubt_of(const DoubtEvidence& evidence);
+
+/// What cos_theta is usual in this scene: the mean over about the last hundred registrations.
+class UsualSimilarity {
+ public:
+  /// Takes the cos_theta of a registration that is believed.
+  void add(double cos_theta);
+  /// 1 before the first one.
+  [[nodiscard]] double share(double cos_theta) const;
+
+ private:
+  double mean_ = 0;
+  int count_ = 0;
+};
+
+/// `T_predicted_camera` is the camera in its predicted frame.
+[[nodiscard]] DoubtEvidence evidence_of(const RegistrationResult& result,
+                                        const SE3& T_predicted_camera, double seconds,
+                                        const UsualSimilarity& usual);
+
+}  // namespace cvo_slam
