@@ -175,7 +175,7 @@ PointSelector::PointSelector(const Camera& camera, const SelectionOptions& optio
 PreparedFrame PointSelector::prepare(const RgbdFrame& frame, PreparedFrame reused) {
   PreparedFrame result = std::move(reused);
   result.images = copy_of(frame, std::move(result.images));
-  result.exposure_gain = 1;
+  result.exposure = {};
   const cv::Mat& color = result.images.color;
   if (color.channels() > 1) cv::cvtColor(color, grey_, cv::COLOR_BGR2GRAY);
   const cv::Mat& grey = color.channels() > 1 ? grey_ : color;
@@ -270,7 +270,7 @@ void PointSelector::select(const PreparedFrame& frame, int count, const SE3& T_c
       any_left = any_left || point;
     }
   }
-  scale_colors(1 / frame.exposure_gain, cloud);
+  scale_colors(1 / frame.exposure.gain, cloud);
   const SurfaceFit fit(frame.images.depth, camera_, rays_, options_.max_depth_step);
   fit_surfaces(fit, depth_pixels_, T_color_depth, camera_.noise, cloud);
 }

@@ -50,13 +50,17 @@ struct PixelCandidate {
   std::int32_t gradient2;  ///< squared gradient magnitude, on Sobel's scale
 };
 
+/// The exposure of an image: how much brighter it is than the first one because of the camera.
+struct Exposure {
+  double gain = 1;          ///< factor by which colours are divided
+  double log_measured = 0;  ///< logarithm of the factor as it was measured
+};
+
 /// A frame with all that selecting its points needs. PointSelector::prepare() makes it once a
 /// frame; the pictures in it are copies that nobody else writes to.
 struct PreparedFrame {
-  RgbdFrame images;  ///< the frame, with copies of its images
-  /// Factor by which the image is brighter than the first one of the sequence because of the
-  /// camera's exposure. select() divides the colours by it.
-  double exposure_gain = 1;
+  RgbdFrame images;   ///< the frame, with copies of its images
+  Exposure exposure;  ///< select() divides the colours by its gain
   ///@{
   /// Sobel's gradient of the grey image along the rows (dx) or the columns (dy), CV_16SC1.
   cv::Mat dx, dy;

@@ -91,7 +91,7 @@ void Tracker::Impl::prepare(const RgbdFrame& given) {
   image_problem = check_images(given, camera);
   if (!image_problem.empty()) return;
   frame = selector.prepare(given, std::move(frame));
-  if (options.compensate_exposure) frame.exposure_gain = exposure.update(frame.images.color);
+  if (options.compensate_exposure) frame.exposure = exposure.update(frame.images.color);
 }
 
 /// Selects the points of the frame in work; returns why it cannot be tracked, or nothing.
@@ -126,6 +126,7 @@ void Tracker::Impl::undo_shutter(const Vector6& velocity, PointCloud& cloud) con
 FrameRecord Tracker::Impl::accept(FrameRecord record) {
   record.status = TrackingStatus::kTracked;
   usual.add(record.registration.cos_theta);
+  observe_exposure(record.registration.T_fixed_moving);
   keep_as_last_tracked(record.T_world_camera);
   if (options.reference == Reference::kPreviousFrame) {
     record.keyframe_reason = "previous frame";
@@ -134,8 +135,21 @@ FrameRecord Tracker::Impl::accept(FrameRecord record) {
     const double visible = visible_share(points, result.T_fixed_moving, field_of_view);
     record.keyframe_reason = policy.reason(result, visible);
   }
-  if (!record.keyframe_reason.empty()) make_keyframe();
+  if (record.keyframe_reason.empty()) return record;
+  if (options.compensate_exposure) last_tracked.exposure = exposure.start_keyframe();
+  make_keyframe();
   return record;
+}
+
+/// Compares the brightness of the frame in work with that of its keyframe.
+void Tracker::Impl::observe_exposure(const SE3& T_keyframe_frame) {
+  if (!options.compensate_exposure) return;
+  const auto forward = log_brightness_ratio(points, frame.images, keyframe_images, T_keyframe_frame,
+                                            camera, field_of_view);
+  const auto backward = log_brightness_ratio(keyframe_points, keyframe_images, frame.images,
+                                             T_keyframe_frame.inverse(), camera, field_of_view);
+  if (!forward || !backward) return;
+  frame.exposure = exposure.observe(keyframe->exposure, 0.5 * (*forward - *backward));
 }
 
 FrameRecord Tracker::Impl::start_submap(FrameRecord record, const SE3& T_world_camera) {
@@ -185,8 +199,9 @@ void Tracker::Impl::keep_as_last_tracked(const SE3& T_world_camera) {
 /// Makes the last tracked frame the keyframe, or makes that one again with the motion known now.
 void Tracker::Impl::make_keyframe() {
   const RgbdFrame& images = last_tracked.images;
-  keyframe = {images.index, motion.last_pose(), true, !motion.has_velocity()};
-  if (has_start_finder) keyframe_images = images;
+  keyframe = {images.index, motion.last_pose(), true, !motion.has_velocity(),
+              last_tracked.exposure};
+  keyframe_images = images;
   policy.keyframe_made();
   select(last_tracked, options.keyframe_points, keyframe_points);
   undo_shutter(motion.velocity(), keyframe_points);

@@ -38,6 +38,7 @@ struct CurrentKeyframe {
   SE3 T_world_camera;
   bool is_last_tracked = false;  // true until a later frame is tracked
   bool lacks_velocity = false;   // true if its points were selected without the camera's motion
+  Exposure exposure;
 };
 
 /// Keyframes are always made of the last tracked frame, whose pose is motion.last_pose().
@@ -63,7 +64,7 @@ struct Tracker::Impl {
   FrameRecord blank;                                     // its record before anything is known
   bool frame_is_last_tracked = false;                    // true if it is in last_tracked now
   PreparedFrame last_tracked;
-  RgbdFrame keyframe_images;  // for a StartFinder; empty without
+  RgbdFrame keyframe_images;
   bool has_start_finder = false;
   std::optional<CurrentKeyframe> keyframe;
   std::optional<TrackerKeyframe> pending;  // made of the last tracked frame, not yet returned
@@ -93,6 +94,7 @@ struct Tracker::Impl {
   Registered register_to_remade_keyframe(const Registered& first);
 
   [[nodiscard]] FrameRecord accept(FrameRecord record);
+  void observe_exposure(const SE3& T_keyframe_frame);
   [[nodiscard]] FrameRecord start_submap(FrameRecord record, const SE3& T_world_camera);
   [[nodiscard]] FrameRecord reject(FrameRecord record, const std::string& reason);
   void keep_as_last_tracked(const SE3& T_world_camera);
