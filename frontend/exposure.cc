@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 
 #include "cvo_slam/frontend/exposure_internal.h"
 
@@ -23,7 +25,7 @@ constexpr float kMinJump = 0.15F;
 constexpr float kMaxSpread = 0.25F;
 
 /// Returns the quartile number `quarter` of the values, which it reorders.
-float quartile(std::vector<float>& values, std::size_t quarter) {
+float quartile(std::span<float> values, std::size_t quarter) {
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * quarter / 4);
   std::nth_element(values.begin(), place, values.end());
   return *place;
@@ -113,8 +115,8 @@ std::optional<double> log_brightness_ratio(const PointCloud& points, const RgbdF
   constexpr std::size_t kFewest = 100;   // points
   constexpr std::size_t kMost = 400;     // the first ones are spread over the image as all are
   constexpr double kSameSurface = 0.05;  // of the depth
-  std::vector<float> changes;
-  changes.reserve(kMost);
+  std::array<float, kMost> changes{};
+  std::size_t count = 0;
   for (std::size_t i = 0; i < std::min(kMost, points.size()); ++i) {
     const Vector3 point = T_keyframe_frame * points.position(i);
     if (!field_of_view.contains(point)) continue;
@@ -126,10 +128,10 @@ std::optional<double> log_brightness_ratio(const PointCloud& points, const RgbdF
     const float now = brightness_about(frame.color, {cvRound(points.u[i]), cvRound(points.v[i])});
     const float before = brightness_about(keyframe.color, pixel);
     const auto [low, high] = std::minmax(now, before);
-    if (low >= kDarkest && high <= kBrightest) changes.push_back(std::log(now / before));
+    if (low >= kDarkest && high <= kBrightest) changes[count++] = std::log(now / before);
   }
-  if (changes.size() < kFewest) return std::nullopt;
-  return quartile(changes, 2);
+  if (count < kFewest) return std::nullopt;
+  return quartile(std::span(changes).first(count), 2);
 }
 
 }  // namespace cvo_slam
