@@ -37,7 +37,6 @@ Tracker::Impl::Impl(const Camera& camera_in, const TrackerOptions& options_in)
       policy(options.keyframe) {}
 
 TrackedFrame Tracker::Impl::track(const RgbdFrame& given, const StartFinder& find_start) {
-  has_start_finder = static_cast<bool>(find_start);
   prepare(given);
   FrameRecord record = blank;
   const std::string problem = select_points_of_frame();
@@ -201,7 +200,10 @@ void Tracker::Impl::make_keyframe() {
   const RgbdFrame& images = last_tracked.images;
   keyframe = {images.index, motion.last_pose(), true, !motion.has_velocity(),
               last_tracked.exposure};
-  keyframe_images = images;
+  // Copies: otherwise the memory of the frame could not be used again.
+  keyframe_images.index = images.index;
+  images.color.copyTo(keyframe_images.color);
+  images.depth.copyTo(keyframe_images.depth);
   policy.keyframe_made();
   select(last_tracked, options.keyframe_points, keyframe_points);
   undo_shutter(motion.velocity(), keyframe_points);

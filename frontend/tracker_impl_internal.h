@@ -64,8 +64,7 @@ struct Tracker::Impl {
   FrameRecord blank;                                     // its record before anything is known
   bool frame_is_last_tracked = false;                    // true if it is in last_tracked now
   PreparedFrame last_tracked;
-  RgbdFrame keyframe_images;
-  bool has_start_finder = false;
+  RgbdFrame keyframe_images;  // its index and copies of its images
   std::optional<CurrentKeyframe> keyframe;
   std::optional<TrackerKeyframe> pending;  // made of the last tracked frame, not yet returned
   bool pending_was_taken = false;          // true if that was returned by take_keyframe()
