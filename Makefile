@@ -69,6 +69,10 @@ eval: build-release ## Run the full sequences, write docs/results/benchmarks.md
 suite: program ## Run sequences, modes and perturbations, write docs/results/suite.md (bench/suite)
 	bench/run_suite.sh
 
+.PHONY: low-rates
+low-rates: program ## Run the suite on thinned recordings, write docs/results/low-rates.md
+	NAME=low-rates TITLE='Low frame rates' bench/run_suite.sh --config set=low_rates modes=slam
+
 .PHONY: foreign-input
 foreign-input: program ## Give the program inputs of others, write docs/results/foreign-input.md
 	bench/foreign_input.py $(PROGRAM)

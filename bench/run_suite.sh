@@ -6,6 +6,9 @@
 #
 # Runs the suite (bench/suite/README.md) and writes docs/results/suite.md, .csv and .json. What was done
 # for this revision is not done again.
+#
+#   NAME    of the page (default suite); NAME=low-rates goes with --config set=low_rates
+#   TITLE   of the page (default "Accuracy and its spread")
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -18,9 +21,11 @@ log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 snakemake -s bench/suite/Snakefile --cores all --quiet "$@" > "$log"
 made=$(sed -n 's/^suite: wrote \(.*\)\.md$/\1/p' "$log")
-for kind in csv json; do cp "$made.$kind" "docs/results/suite.$kind"; done
+name=${NAME:-suite}
+for kind in csv json; do cp "$made.$kind" "docs/results/$name.$kind"; done
 {
-  begin_page 'Accuracy and its spread' 'make suite' 'The figures are also in suite.csv and suite.json.'
+  begin_page "${TITLE:-Accuracy and its spread}" "make $name" \
+    "The figures are also in $name.csv and $name.json."
   echo
   cat "$made.md"
-} > docs/results/suite.md
+} > "docs/results/$name.md"
