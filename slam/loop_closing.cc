@@ -62,6 +62,7 @@ void LoopClosing::restore(std::size_t number, const std::string& features) {
 
 void LoopClosing::remove(std::size_t number) {
   const auto place = places_.find(number);
+  if (place == places_.end()) return;  // it had no images
   detector_.remove(place->second);
   places_.erase(place);
 }
