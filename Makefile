@@ -73,6 +73,11 @@ suite: program ## Run sequences, modes and perturbations, write docs/results/sui
 low-rates: program ## Run the suite on thinned recordings, write docs/results/low-rates.md
 	NAME=low-rates TITLE='Low frame rates' bench/run_suite.sh --config set=low_rates modes=slam
 
+.PHONY: cost-of-runs
+cost-of-runs: program ## Compare whole runs with reading the files, write docs/results/cost-of-runs.md
+	cmake --preset release -DCVO_SLAM_BUILD_BENCH=ON > /dev/null && cmake --build build/release --target read_images
+	bench/run_cost_of_runs.py build/release
+
 .PHONY: foreign-input
 foreign-input: program ## Give the program inputs of others, write docs/results/foreign-input.md
 	bench/foreign_input.py $(PROGRAM)
