@@ -107,9 +107,11 @@ void run(const InterruptionArguments& arguments) {
     for (const std::string& kind : arguments.blind) {
       interruption.kind = kind;
       const Outcome outcome = track(*data, frames, interruption);
-      fmt::print("| {} | {} | {} | {} | {:.2f} s | {:.1f} mm | {:.1f} mm | {:.2f} |\n",
-                 data->name(), kind, outcome.lost, outcome.in_blind, outcome.resumed,
-                 1000 * outcome.ate, 1000 * undisturbed.ate, outcome.ate / undisturbed.ate);
+      const std::string resumed =
+          outcome.resumed < 0 ? "never" : fmt::format("{:.2f} s", outcome.resumed);
+      fmt::print("| {} | {} | {} | {} | {} | {:.1f} mm | {:.1f} mm | {:.2f} |\n", data->name(),
+                 kind, outcome.lost, outcome.in_blind, resumed, 1000 * outcome.ate,
+                 1000 * undisturbed.ate, outcome.ate / undisturbed.ate);
       std::fflush(stdout);
     }
   }
