@@ -89,6 +89,7 @@ OdometryRun run_frames(const FrameStream& stream, const FrameConsumer& consumer,
 
 /// Drops the keyframes that the map has removed since; it does not have the newest ones yet.
 void drop_removed(const std::vector<Keyframe>& in_map, std::vector<SampledFrame>& kept) {
+  if (in_map.empty()) return;
   std::set<Timestamp> stamps;
   for (const Keyframe& keyframe : in_map) stamps.insert(keyframe.stamp);
   std::erase_if(kept, [&](const SampledFrame& frame) {
@@ -174,12 +175,16 @@ SlamRun run_slam(const FrameStream& stream, const ProgramOptions& options,
   Slam slam = loaded ? Slam(loaded->map, options.slam, loaded->use, vocabulary)
                      : Slam(stream.camera, options.slam, vocabulary);
   SlamRun result;
-  result.run = run_frames(
-      stream,
-      {.track = [&](const RgbdFrame& frame) { return slam.track(frame); },
-       .finish = [&] { slam.finish(); },
-       .thin = [&](std::vector<SampledFrame>& kept) { drop_removed(slam.keyframes(), kept); }},
-      control);
+  result.run = run_frames(stream,
+                          {.track = [&](const RgbdFrame& frame) { return slam.track(frame); },
+                           .finish = [&] { slam.finish(); },
+                           .thin =
+                               [&](std::vector<SampledFrame>& kept) {
+                                 const bool is_located_only =
+                                     loaded && loaded->use == MapUse::kLocalize;
+                                 if (!is_located_only) drop_removed(slam.keyframes(), kept);
+                               }},
+                          control);
   result.trajectory = slam.trajectory(TrajectoryView::kFinal);
   result.graph = {slam.pose_graph(), slam.keyframes(), slam.loop_candidates(), slam.statistics(),
                   loaded ? loaded->first_number() : 0};

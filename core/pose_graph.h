@@ -24,7 +24,7 @@ struct PoseGraphNode {
 
 /// How the pair of nodes of an edge was found. Optimisation does not depend on it.
 enum class EdgeKind {
-  kOdometry,   ///< between consecutive keyframes
+  kOdometry,   ///< between consecutive keyframes, or those that stand in for them
   kProximity,  ///< between keyframes that are near one another in the graph
   kLoop,       ///< to a keyframe found by place recognition
 };

@@ -172,14 +172,13 @@ FrameRecord Tracker::Impl::start_submap(FrameRecord record, const SE3& T_world_c
 /// True if a new submap is to start at the frame in work. A stamp that has jumped back is no less
 /// far away.
 bool Tracker::Impl::is_lost_for_long() const {
-  constexpr int kFewestFrames = 4;  // see LostOptions::restart_time
-  const double seconds = std::abs(seconds_between(motion.last_stamp(), frame.images.stamp));
-  return lost_in_a_row >= kFewestFrames && seconds >= options.lost.restart_time;
+  const double seconds = std::abs(seconds_between(first_lost, frame.images.stamp));
+  return lost_in_a_row >= options.lost.restart_frames && seconds >= options.lost.restart_time;
 }
 
 /// Counts a lost frame.
 FrameRecord Tracker::Impl::reject(FrameRecord record, const std::string& reason) {
-  ++lost_in_a_row;
+  if (lost_in_a_row++ == 0) first_lost = record.stamp;
   record.status = TrackingStatus::kLost;
   record.reason = reason;
   return record;

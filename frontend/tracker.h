@@ -67,10 +67,12 @@ struct LostOptions {
   /// three of five that are wrong and passed all else, and 4 in 1000 that are right. A map is
   /// better off with all of them, because it finds most wrong ones itself.
   double max_doubt = 1;
-  /// Time without a pose after which a new submap starts [s], but not before the fourth lost frame,
-  /// so that three can say where the camera is (RelocalizationOptions::frames). A third of a second
-  /// bridges a hand before the camera.
-  double restart_time = 0.33;
+  /// Time from the first lost frame on after which a new submap starts [s]: 0.3 s, 10 frames at
+  /// 30 Hz, bridge a hand before the camera.
+  double restart_time = 0.3;
+  /// Number of lost frames before which none starts, however long they take [frames]. Slam raises
+  /// it so that enough frames can say where the camera is (RelocalizationOptions::frames).
+  int restart_frames = 4;
 };
 
 /// How a camera is tracked.
@@ -92,8 +94,8 @@ struct TrackerOptions {
   /// changes nothing for a camera with a global shutter, whose readout time is 0.
   bool compensate_rolling_shutter = true;
   /// True to scale the colours of a frame back where the whole image has become brighter or darker
-  /// by one factor, of more than 15 %, since the frame before. Switch it off for cameras with a
-  /// fixed exposure, where only the light can do that.
+  /// by one factor, of more than 15 %, since the frame before or the keyframe. Switch it off for
+  /// cameras with a fixed exposure, where only the light can do that.
   bool compensate_exposure = true;
   Reference reference = Reference::kKeyframe;             ///< what a frame is registered to
   Prediction prediction = Prediction::kConstantVelocity;  ///< where a registration starts

@@ -70,6 +70,8 @@ struct Tracker::Impl {
   bool pending_was_taken = false;          // true if that was returned by take_keyframe()
   int submap = 0;
   int lost_in_a_row = 0;
+  Timestamp first_lost;                 // stamp of the first of these
+  std::optional<SE3> T_keyframe_found;  // by features, of the frame in work to the keyframe
 
   TrackedFrame track(const RgbdFrame& given, const StartFinder& find_start);
   FrameRecord resume(const SE3& T_world_camera);

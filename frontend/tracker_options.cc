@@ -32,11 +32,12 @@ OptionSet describe(LostOptions& o) {
            "Largest probability that the pose is wrong by more than 5 cm or 3 degrees; 1 = any. "
            "Lower it where a wrong pose is worse than none.")
       .add("restart_time", o.restart_time, {0, 1e6}, "s",
-           "Time without a pose after which a new submap starts, but not before the fourth lost "
-           "frame.")
+           "Time from the first lost frame on after which a new submap starts.")
       .expert()
       .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",
-           "Least normalised inner product of the clouds after a registration.");
+           "Least normalised inner product of the clouds after a registration.")
+      .add("restart_frames", o.restart_frames, {1, 1000000}, "frames",
+           "Number of lost frames before which no new submap starts, however long they take.");
 }
 
 OptionSet describe(TrackerOptions& o) {

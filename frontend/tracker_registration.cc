@@ -33,6 +33,7 @@ void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
 /// that keyframe again.
 Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   const Timestamp stamp = frame.images.stamp;
+  T_keyframe_found.reset();
   if (stamp <= motion.last_stamp()) {
     Registered none;
     none.fault = fmt::format("its stamp is not after the stamp {} of the last tracked frame",
@@ -62,6 +63,7 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   }
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
     make_keyframe();
+    T_keyframe_found.reset();
     registered = register_from(motion.last_pose(), 0);
     if (!registered.is_believed() || registered.doubt > kDoubtful) {
       try_found_start(find_start, registered);
@@ -82,7 +84,8 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
 /// believed any more.
 void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& best) {
   if (!find_start) return;
-  const auto T_keyframe_start = find_start(keyframe_images, frame.images);
+  T_keyframe_found = find_start(keyframe_images, frame.images);
+  const auto& T_keyframe_start = T_keyframe_found;
   if (!T_keyframe_start) return;
   Registered found =
       register_from(keyframe->T_world_camera * *T_keyframe_start, options.recovery_scales);
@@ -113,7 +116,7 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
     best.fault = "the features of the images say that the camera is elsewhere";
   }
   if (best.result.status == RegistrationStatus::kFailed) return;
-  best.evidence.features = opinion(best);
+  best.evidence.features = opinion(best);  // it may be from before the features were asked
   best.doubt = doubt_of(best.evidence);
 }
 
@@ -142,6 +145,9 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
   registered.evidence =
       evidence_of(registered.result, motion.predict(stamp).inverse() * registered.T_world_camera,
                   situation.seconds, usual);
+  if (T_keyframe_found) {
+    registered.evidence.features = opinion_on(registered.result.T_fixed_moving, *T_keyframe_found);
+  }
   registered.doubt = doubt_of(registered.evidence);
   return registered;
 }

@@ -24,7 +24,7 @@ double doubt_of(const DoubtEvidence& evidence) {
   constexpr double kStep = 0.02;  // [m, rad]; what a hand's velocity changes by in a frame
   constexpr double kRate = 30;    // [1/s]
   // Of each term, in the order of bench/fit_doubt.py.
-  constexpr std::array kCoefficients = {-0.770, -6.410, -2.034, 0.236, 2.112, 0.416, -4.583, 1.983};
+  constexpr std::array kCoefficients = {0.232, -7.952, -1.690, 0.192, 2.333, 0.101, -4.354, 1.856};
   const std::array<double, kCoefficients.size()> terms = {
       1,
       evidence.overlap,

@@ -84,7 +84,7 @@ std::shared_ptr<const Appearance> LoopDetector::describe(std::size_t id,
 }
 
 std::vector<LoopMatch> LoopDetector::find_loops(const Appearance& query) {
-  if (keyframes_.empty()) return {};
+  if (keyframes_.empty() || !keyframes_.back()) return {};
   const CandidateOptions& options = options_.candidates;
   const double neighbor_score = std::max(options.min_neighbor_score,
                                          bag_score(query.words.bag, keyframes_.back()->words.bag));

@@ -31,8 +31,10 @@ bool may_stand_in(const MapState& map, std::size_t position, std::size_t other, 
   constexpr double kMaxError = 4;  // standard deviations: chi-square's 99 %
   const PoseGraph& graph = map.graph.graph();
   const int submap = map.keyframes[position].tracked_submap;
-  const bool is_inseparable = submap == map.keyframes[other].tracked_submap ||
-                              submap != map.keyframes.newest().tracked_submap;
+  const int other_submap = map.keyframes[other].tracked_submap;
+  const int tracked = map.keyframes.newest().tracked_submap;
+  const bool is_inseparable =
+      submap == other_submap || (submap != tracked && other_submap != tracked);
   return graph.edges()[edge].kind != EdgeKind::kLoop && is_inseparable &&
          squared_error(graph, edge) <= kMaxError * kMaxError;
 }
@@ -44,9 +46,10 @@ std::size_t other_end(const PoseGraph& graph, std::size_t edge, std::size_t posi
 
 /// How far two keyframes are apart, as a share of what makes the tracker take a new one.
 double distance(const MapState& map, std::size_t a, std::size_t b, const KeyframeOptions& limits) {
+  constexpr double kLeast = 1e-6;  // limits may be 0
   const SE3 T_a_b = map.graph.pose(a).inverse() * map.graph.pose(b);
-  return std::max(T_a_b.translation().norm() / limits.max_translation,
-                  T_a_b.angle() / limits.max_rotation);
+  return std::max(T_a_b.translation().norm() / std::max(kLeast, limits.max_translation),
+                  T_a_b.angle() / std::max(kLeast, limits.max_rotation));
 }
 
 }  // namespace
@@ -54,6 +57,8 @@ double distance(const MapState& map, std::size_t a, std::size_t b, const Keyfram
 std::optional<std::size_t> find_redundancy(const MapState& map, std::size_t position,
                                            const FieldOfView& field_of_view,
                                            const KeyframeOptions& limits) {
+  // At the tracker's whole distance the map gets coarser: 7-Scenes' ATE rises by 3 %.
+  constexpr double kNear = 0.5;
   if (has_to_stay(map, position)) return std::nullopt;
   const PoseGraph& graph = map.graph.graph();
   std::optional<std::size_t> best;
@@ -61,7 +66,7 @@ std::optional<std::size_t> find_redundancy(const MapState& map, std::size_t posi
   for (const std::size_t edge : graph.edges_of(position)) {
     const std::size_t other = other_end(graph, edge, position);
     if (other > position || !may_stand_in(map, position, other, edge) ||
-        distance(map, position, other, limits) > 1) {
+        distance(map, position, other, limits) > kNear) {
       continue;
     }
     const double overlap =

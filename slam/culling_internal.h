@@ -18,8 +18,9 @@ namespace cvo_slam {
 inline constexpr std::size_t kUnsettledKeyframes = 20;
 
 /// The edge to an older keyframe that sees the same as the one at a position: the tracker would
-/// not have needed the newer one, had it used the older one. The best one of several; none if there
-/// is none, or if the keyframe has to stay. `limits` are the tracker's.
+/// not have needed the newer one, had it used the older one, which is no further than half of what
+/// makes it take another. The best one of several; none if there is none, or if the keyframe has to
+/// stay. `limits` are the tracker's.
 [[nodiscard]] std::optional<std::size_t> find_redundancy(const MapState& map, std::size_t position,
                                                          const FieldOfView& field_of_view,
                                                          const KeyframeOptions& limits);

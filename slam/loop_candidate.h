@@ -27,8 +27,8 @@ struct LoopCandidate {
   /// the divisor is not less than `min_neighbor_score` (LoopMatch).
   double normalized_score = 0;
   std::size_t inliers = 0;  ///< features that agree with one pose (kLoop)
-  /// Where they are: a = from, b = to (Verification). Empty for a rejected candidate unless
-  /// LoopClosingOptions::keep_rejected_matches.
+  /// Where they are: a = from, b = to (Verification). Empty for a candidate that was rejected for
+  /// good, unless LoopClosingOptions::keep_rejected_matches.
   std::vector<PixelPair> pixels;
   /// Overlap by the poses of the graph before the pair was registered: the smaller of the two
   /// shares of points that lie in the other's image. None if the graph does not connect the two.

@@ -9,6 +9,23 @@
 
 namespace cvo_slam {
 
+namespace {
+
+/// The order in which edges can be relied on.
+int rank(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::kOdometry:
+      return 0;
+    case EdgeKind::kProximity:
+      return 1;
+    case EdgeKind::kLoop:
+      break;
+  }
+  return 2;
+}
+
+}  // namespace
+
 Matrix6 transformed(const Matrix6& covariance, const SE3& T) {
   const Matrix6 adjoint = T.adjoint();
   return adjoint * covariance * adjoint.transpose();
@@ -88,15 +105,15 @@ MapGraph::InheritedEdge MapGraph::seen_from(std::size_t position, std::size_t ed
   return {measured.kind, from, measured.T_from_to.inverse(), covariances.to_from, row};
 }
 
-/// True if an edge as good as this one leads from a keyframe to where it would lead: one of
-/// odometry, which no one takes back, or any if this is none.
+/// True if an edge as good as this one leads from a keyframe to where it would lead. Nobody takes
+/// back odometry; loops are taken back first.
 bool MapGraph::is_known(std::size_t position, const InheritedEdge& edge) const {
   const std::vector<std::size_t>& edges = graph().edges_of(position);
   return std::any_of(edges.begin(), edges.end(), [&](std::size_t i) {
     const auto [from, to] = graph().ends()[i];
     const bool leads_there = from == edge.other || to == edge.other;
-    return leads_there &&
-           (edge.kind != EdgeKind::kOdometry || graph().edges()[i].kind == EdgeKind::kOdometry);
+    const bool is_believed = optimizer_.weights()[i] >= 0.5;
+    return leads_there && is_believed && rank(graph().edges()[i].kind) <= rank(edge.kind);
   });
 }
 

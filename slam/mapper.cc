@@ -45,7 +45,7 @@ CorrectedPose Mapper::add(const KeyframeInput& keyframe) {
     optimize(OptimizationScope::kWindow);
   }
   const CorrectedPose corrected{map_.graph.pose(newest_position), map_.submap_at(newest_position)};
-  if (options_.culling.enabled) cull_keyframes();
+  cull_keyframes();
   return corrected;
 }
 
@@ -92,9 +92,11 @@ SE3 Mapper::start_after_gap(const KeyframeInput& keyframe) {
   constexpr double kShortest = 0.01;  // [s]
   const double seconds =
       std::max(kShortest, seconds_between(map_.keyframes[last_position].stamp, keyframe.stamp));
-  map_.gaps.push_back(
-      {last_position, last_position + 1, T_last_keyframe,
-       both_ways(T_last_keyframe, untracked_covariance(seconds, options_.loops.relocalization))});
+  // Gaps say where a lost camera may be.
+  if (loop_closing_)
+    map_.gaps.push_back(
+        {last_position, last_position + 1, T_last_keyframe,
+         both_ways(T_last_keyframe, untracked_covariance(seconds, options_.loops.relocalization))});
   return (map_.graph.pose(last_position) * T_last_keyframe).normalized();
 }
 
@@ -149,6 +151,11 @@ bool Mapper::close_loops(const KeyframeInput& keyframe, PathSearch& paths) {
 /// Separates the newest tracked submap from others if more keyframes say that it is elsewhere than
 /// have joined it, so that these can join it.
 void Mapper::separate_submaps() {
+  // Of a submap that is not tracked any more, nothing is separated.
+  std::erase_if(map_.contradictions, [this](const SubmapLink& link) {
+    return map_.keyframes[map_.keyframes.position_of(link.newer)].tracked_submap !=
+           map_.keyframes.newest().tracked_submap;
+  });
   const auto separation = find_separation(map_.contradictions, map_, options_.loops.relocalization);
   if (!separation) return;
   for (const std::size_t edge : separation->edges) {
@@ -189,7 +196,10 @@ void Mapper::settle_links() {
       return false;
     }
     LoopCandidate& row = candidates_[link.row];
-    if (!row.accepted) row.reason = "most keyframes say that the submap is elsewhere";
+    if (!row.accepted) {
+      row.reason = "most keyframes say that the submap is elsewhere";
+      drop_matches(row);
+    }
     return true;
   });
 }
@@ -220,6 +230,7 @@ void Mapper::take_back(std::size_t edge, const std::string& reason) {
   if (!row) return;
   candidates_[*row].accepted = false;
   candidates_[*row].reason = reason;
+  drop_matches(candidates_[*row]);
 }
 
 /// Removes the keyframe that has just settled if an older one sees the same, and others that have
@@ -234,14 +245,18 @@ void Mapper::cull_keyframes() {
     ++statistics_.redundant_keyframes;
     return true;
   };
-  if (map_.keyframes.size() > kUnsettledKeyframes) {
+  if (options_.culling.enabled && map_.keyframes.size() > kUnsettledKeyframes) {
     check(map_.keyframes.size() - kUnsettledKeyframes - 1);
     if (next_checked_ >= map_.keyframes.size()) next_checked_ = 0;
     if (!check(next_checked_)) ++next_checked_;
   }
   constexpr double kBytesOfMegabyte = 1024.0 * 1024;
-  while (options_.culling.max_memory > 0 && static_cast<double>(statistics().keyframe_bytes) >
-                                                options_.culling.max_memory * kBytesOfMegabyte) {
+  constexpr int kMostDropped = 10;  // a keyframe, or one would take long
+  for (int i = 0; i < kMostDropped && options_.culling.max_memory > 0; ++i) {
+    if (static_cast<double>(statistics().keyframe_bytes) <=
+        options_.culling.max_memory * kBytesOfMegabyte) {
+      break;
+    }
     const auto removal = find_least_missed(map_, limits);
     if (!removal) break;
     remove_keyframe(*removal);
@@ -266,6 +281,7 @@ void Mapper::remove_keyframe(const Removal& removal) {
     if (gap.to > position) --gap.to;
   }
   if (position < map_.loaded) --map_.loaded;
+  is_fully_optimized_ = false;
   std::set<std::size_t> moved;
   for (const std::size_t i : moved_) {
     if (i != position) moved.insert(i > position ? i - 1 : i);

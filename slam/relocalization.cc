@@ -31,9 +31,10 @@ PoseConsensus::PoseConsensus(int frames, double max_speed, double max_angular_sp
     : frames_(frames), max_speed_(max_speed), max_angular_speed_(max_angular_speed) {}
 
 bool PoseConsensus::add(const Timestamp& stamp, double period, const RecognizedPose& pose) {
-  constexpr double kShortest = 0.06;  // [s]; images of less say the same thing twice
-  constexpr double kLongest = 0.5;    // [s]; after more the camera may be anywhere
-  const double longest = std::max(kLongest, (frames_ + 1) * period);
+  constexpr double kShortest = 0.06;    // [s]; images of less say the same thing twice
+  constexpr double kLongest = 0.5;      // [s]; after more the camera may be anywhere
+  constexpr double kLongestPeriod = 1;  // [s]
+  const double longest = std::max(kLongest, (frames_ + 1) * std::min(period, kLongestPeriod));
   const Observation observation{stamp, pose.submap, pose.T_world_camera};
   std::erase_if(observations_,
                 [&](const Observation& earlier) { return !agree(earlier, observation, longest); });
@@ -47,9 +48,12 @@ bool PoseConsensus::agree(const Observation& a, const Observation& b, double lon
   constexpr double kTranslation = 0.05;  // [m]; that either may be wrong by
   constexpr double kRotation = 0.05;     // [rad]
   const double seconds = std::abs(seconds_between(a.stamp, b.stamp));
+  // Nobody moves at the highest speed for long.
+  constexpr double kLongestMotion = 0.5;  // [s]
+  const double moving = std::min(seconds, kLongestMotion);
   const SE3 motion = a.T_world_camera.inverse() * b.T_world_camera;
-  return seconds <= longest && motion.translation().norm() <= kTranslation + max_speed_ * seconds &&
-         motion.angle() <= kRotation + max_angular_speed_ * seconds;
+  return seconds <= longest && motion.translation().norm() <= kTranslation + max_speed_ * moving &&
+         motion.angle() <= kRotation + max_angular_speed_ * moving;
 }
 
 }  // namespace cvo_slam

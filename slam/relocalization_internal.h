@@ -46,7 +46,8 @@ class PoseConsensus {
 
   /// Adds the pose of a frame, `period` seconds after the frame before, and forgets earlier ones
   /// that disagree with it or are too old: of more than half a second ago and, where few frames
-  /// come a second, of more than one frame more than must agree. Returns true if enough agree.
+  /// come a second, of more than one frame more than must agree, of at most a second each.
+  /// Returns true if enough agree.
   bool add(const Timestamp& stamp, double period, const RecognizedPose& pose);
   void clear() { observations_.clear(); }
   /// Number of frames that agree now.

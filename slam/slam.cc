@@ -27,6 +27,8 @@ namespace {
 SlamOptions checked(SlamOptions options) {
   describe(options).check();
   check_consistency(options.tracker);
+  int& restart_frames = options.tracker.lost.restart_frames;
+  restart_frames = std::max(restart_frames, options.loops.relocalization.frames + 1);
   return options;
 }
 
@@ -143,8 +145,7 @@ FrameRecord Slam::Impl::track(RgbdFrame frame) {
   auto [tracked, keyframe] = tracker.track(frame, start ? find_start : StartFinder());
   tracked.submap += first_submap;
   const bool extends_map = map_use != MapUse::kLocalize;
-  // The keyframe that has become final is the frame tracked before this one: submit() reads
-  // last_tracked_record, so that is replaced only below.
+  // submit() reads last_tracked_record, that of the frame before this one: replaced only below.
   if (keyframe && extends_map) submit(*keyframe);
   if (tracked.status == TrackingStatus::kLost) {
     is_located = false;
@@ -232,8 +233,7 @@ FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lo
   // resume() would drop it.
   const auto keyframe = tracker.take_keyframe();
   if (keyframe && map_use != MapUse::kLocalize) submit(*keyframe);
-  // The mapper is for one thread at a time; and every schedule must see the same map.
-  jobs.wait_until_left(0);
+  jobs.wait_until_left(0);  // for one thread at a time, and the same map in every schedule
   const auto pose = mapper.relocalize(frame, cloud);
   if (!pose || !consensus.add(frame.stamp, history.seconds_until(frame.stamp), *pose)) return lost;
   FrameRecord record = tracker.resume(pose->T_world_camera);

@@ -63,6 +63,8 @@ struct SlamObserver {
   /// Called before that with keyframes that an optimisation has moved, each with its new pose:
   /// those near the newest one now and then, all when a loop was closed. Corrections
   /// come with the delay of track() (SlamOptions::correction_delay), and in finish() without.
+  /// Keyframes that were removed since (CullingOptions) are not among them: keyframes() lists those
+  /// that there are.
   std::function<void(const std::vector<Keyframe>&)> correction = {};
 };
 

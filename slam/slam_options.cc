@@ -90,9 +90,9 @@ OptionSet describe(LoopClosingOptions& o) {
 OptionSet describe(CullingOptions& o) {
   return OptionSet()
       .add("enabled", o.enabled,
-           "True to remove keyframes for which an older one can stand in: it is within the limits "
-           "of tracker.keyframe and sees the same. The map does not grow then in places that it "
-           "has.")
+           "True to remove keyframes for which an older one can stand in: it is within half of the "
+           "limits of tracker.keyframe and sees the same. The map does not grow then in places "
+           "that it has.")
       .add("max_memory", o.max_memory, {0, 1e9}, "MB",
            "Most memory of the keyframes; 0 = no limit. Beyond it, those that are nearest to "
            "others are removed, so that the map gets coarser. 50 keyframes take 8 MB.");

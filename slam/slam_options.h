@@ -52,9 +52,9 @@ struct ProximityOptions {
 /// tracking is lost, or the keyframe is of another submap. There may be several places that look
 /// the same.
 struct RelocalizationOptions {
-  /// Number of frames in a row that must agree before a lost camera goes on [frames]; they must be
-  /// at least 0.06 s apart, the time of 3 at 30 Hz. One frame may show an ambiguous place. Raise it
-  /// in buildings that repeat.
+  /// Number of frames in a row that must agree before a lost camera goes on [frames]; between the
+  /// first and the last at least 0.06 s, the time of 3 at 30 Hz. One frame may show an ambiguous
+  /// place. Raise it in buildings that repeat.
   int frames = 3;
   /// Number of keyframes that must agree before two submaps are joined [keyframes]. They are a
   /// quarter of a view apart, so that 3 cover some distance. Raise it in buildings that repeat.
@@ -90,12 +90,13 @@ struct LoopClosingOptions {
 /// Which keyframes the map does without. What was measured to them is handed on to those that
 /// stand in for them, and frames keep their poses relative to these.
 struct CullingOptions {
-  /// True to remove keyframes for which an older one can stand in: it is nearer than the limits of
-  /// tracker.keyframe and sees as much of the same as these ask for. A map does not grow then while
-  /// the camera stays in places that it has seen. Switch it off to keep every keyframe.
+  /// True to remove keyframes for which an older one can stand in: it is nearer than half of the
+  /// limits of tracker.keyframe and sees as much of the same as these ask for. A map does not grow
+  /// then while the camera stays in places that it has seen. Switch it off to keep every keyframe.
   bool enabled = true;
-  /// Most memory that the keyframes may take [MB]; 0 = no limit. Beyond it, those that are nearest
-  /// to others are removed, so that the map gets coarser everywhere. 50 keyframes take 8 MB.
+  /// Most memory that the keyframes may take [MB], whatever `enabled` says; 0 = no limit. Beyond
+  /// it, those that are nearest to others are removed, so that the map gets coarser everywhere. 50
+  /// keyframes take 8 MB.
   double max_memory = 0;
 };
 

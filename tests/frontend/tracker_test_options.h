@@ -37,7 +37,7 @@ inline TrackerOptions tracker_test_options() {
   o.lost.min_cos_theta = 0.1;
   o.lost.max_speed = 3;
   o.lost.max_angular_speed = 6;
-  o.lost.restart_time = 0.33;
+  o.lost.restart_time = 0.3;
   return o;
 }
 
