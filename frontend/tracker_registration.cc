@@ -85,12 +85,11 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
 void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& best) {
   if (!find_start) return;
   T_keyframe_found = find_start(keyframe_images, frame.images);
-  const auto& T_keyframe_start = T_keyframe_found;
-  if (!T_keyframe_start) return;
+  if (!T_keyframe_found) return;
   Registered found =
-      register_from(keyframe->T_world_camera * *T_keyframe_start, options.recovery_scales);
+      register_from(keyframe->T_world_camera * *T_keyframe_found, options.recovery_scales);
   const auto opinion = [&](const Registered& registered) {
-    return opinion_on(registered.result.T_fixed_moving, *T_keyframe_start);
+    return opinion_on(registered.result.T_fixed_moving, *T_keyframe_found);
   };
   const bool agrees = opinion(found) == FeatureOpinion::kAgrees;
   if (!found.is_believed() && agrees) {
@@ -104,7 +103,7 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
   const auto is_certain = [&](const Registered& registered) {
     return find_fault(registered.result, situation_of(registered, true), options.lost).empty();
   };
-  const SE3 T_start_best = T_keyframe_start->inverse() * best.result.T_fixed_moving;
+  const SE3 T_start_best = T_keyframe_found->inverse() * best.result.T_fixed_moving;
   const bool best_is_elsewhere =
       best.is_believed() &&
       (T_start_best.translation().norm() >= 0.15 /* m */ || T_start_best.angle() >= 0.15 /* rad */);

@@ -23,7 +23,7 @@ double doubt_of(const DoubtEvidence& evidence) {
   constexpr double kMillimetre = 1e-3;
   constexpr double kStep = 0.02;  // [m, rad]; what a hand's velocity changes by in a frame
   constexpr double kRate = 30;    // [1/s]
-  // Of each term, in the order of bench/fit_doubt.py.
+  // One for each term, in the order of bench/fit_doubt.py.
   constexpr std::array kCoefficients = {0.232, -7.952, -1.690, 0.192, 2.333, 0.101, -4.354, 1.856};
   const std::array<double, kCoefficients.size()> terms = {
       1,

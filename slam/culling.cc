@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 
 #include "cvo_slam/slam/culling_internal.h"
 #include "cvo_slam/slam/proximity_internal.h"
@@ -54,14 +53,14 @@ double distance(const MapState& map, std::size_t a, std::size_t b, const Keyfram
 
 }  // namespace
 
-std::optional<std::size_t> find_redundancy(const MapState& map, std::size_t position,
-                                           const FieldOfView& field_of_view,
-                                           const KeyframeOptions& limits) {
+std::optional<Removal> find_redundancy(const MapState& map, std::size_t position,
+                                       const FieldOfView& field_of_view,
+                                       const KeyframeOptions& limits) {
   // At the tracker's whole distance the map gets coarser: 7-Scenes' ATE rises by 3 %.
   constexpr double kNear = 0.5;
   if (has_to_stay(map, position)) return std::nullopt;
   const PoseGraph& graph = map.graph.graph();
-  std::optional<std::size_t> best;
+  std::optional<Removal> best;
   double best_overlap = limits.min_overlap;
   for (const std::size_t edge : graph.edges_of(position)) {
     const std::size_t other = other_end(graph, edge, position);
@@ -73,7 +72,7 @@ std::optional<std::size_t> find_redundancy(const MapState& map, std::size_t posi
         mutual_overlap(map.keyframes[other].cloud, map.keyframes[position].cloud,
                        map.graph.pose(other).inverse() * map.graph.pose(position), field_of_view);
     if (overlap < best_overlap) continue;
-    best = edge;
+    best = {position, other, edge};
     best_overlap = overlap;
   }
   return best;
@@ -90,7 +89,7 @@ std::optional<Removal> find_least_missed(const MapState& map, const KeyframeOpti
       const double distance_to_other = distance(map, position, other, limits);
       if (nearest && distance_to_other >= least) continue;
       if (!may_stand_in(map, position, other, edge)) continue;
-      nearest = {position, edge};
+      nearest = {position, other, edge};
       least = distance_to_other;
     }
   }

@@ -17,19 +17,20 @@ namespace cvo_slam {
 /// Number of newest keyframes that stay: new ones are still registered to them.
 inline constexpr std::size_t kUnsettledKeyframes = 20;
 
-/// The edge to an older keyframe that sees the same as the one at a position: the tracker would
-/// not have needed the newer one, had it used the older one, which is no further than half of what
-/// makes it take another. The best one of several; none if there is none, or if the keyframe has to
-/// stay. `limits` are the tracker's.
-[[nodiscard]] std::optional<std::size_t> find_redundancy(const MapState& map, std::size_t position,
-                                                         const FieldOfView& field_of_view,
-                                                         const KeyframeOptions& limits);
-
 /// A keyframe that can be done without.
 struct Removal {
   std::size_t position = 0;
-  std::size_t edge = 0;  ///< to the keyframe that stands in for it
+  std::size_t substitute = 0;  ///< position of the keyframe that stands in for it
+  std::size_t edge = 0;        ///< between the two
 };
+
+/// The keyframe at a position, if an older one sees the same: the tracker would not have needed the
+/// newer one, had it used the older one, which is no further than half of what makes it take
+/// another. The best one of several stands in. None if there is none, or if the keyframe has to
+/// stay. `limits` are the tracker's.
+[[nodiscard]] std::optional<Removal> find_redundancy(const MapState& map, std::size_t position,
+                                                     const FieldOfView& field_of_view,
+                                                     const KeyframeOptions& limits);
 
 /// The settled keyframe that is nearest to another one, by its distance and its angle as shares of
 /// the tracker's limits: that which is missed least where memory is short. None if all have to

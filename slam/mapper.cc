@@ -151,7 +151,7 @@ bool Mapper::close_loops(const KeyframeInput& keyframe, PathSearch& paths) {
 /// Separates the newest tracked submap from others if more keyframes say that it is elsewhere than
 /// have joined it, so that these can join it.
 void Mapper::separate_submaps() {
-  // Of a submap that is not tracked any more, nothing is separated.
+  // Only the submap that is tracked can be separated: the others' contradictions are of no use.
   std::erase_if(map_.contradictions, [this](const SubmapLink& link) {
     return map_.keyframes[map_.keyframes.position_of(link.newer)].tracked_submap !=
            map_.keyframes.newest().tracked_submap;
@@ -239,9 +239,9 @@ void Mapper::take_back(std::size_t edge, const std::string& reason) {
 void Mapper::cull_keyframes() {
   const KeyframeOptions& limits = options_.tracker.keyframe;
   const auto check = [&](std::size_t position) {
-    const auto edge = find_redundancy(map_, position, field_of_view_, limits);
-    if (!edge) return false;
-    remove_keyframe({position, *edge});
+    const auto removal = find_redundancy(map_, position, field_of_view_, limits);
+    if (!removal) return false;
+    remove_keyframe(*removal);
     ++statistics_.redundant_keyframes;
     return true;
   };
@@ -250,13 +250,11 @@ void Mapper::cull_keyframes() {
     if (next_checked_ >= map_.keyframes.size()) next_checked_ = 0;
     if (!check(next_checked_)) ++next_checked_;
   }
+  if (options_.culling.max_memory == 0) return;
   constexpr double kBytesOfMegabyte = 1024.0 * 1024;
   constexpr int kMostDropped = 10;  // a keyframe, or one would take long
-  for (int i = 0; i < kMostDropped && options_.culling.max_memory > 0; ++i) {
-    if (static_cast<double>(statistics().keyframe_bytes) <=
-        options_.culling.max_memory * kBytesOfMegabyte) {
-      break;
-    }
+  const double most_bytes = options_.culling.max_memory * kBytesOfMegabyte;
+  for (int i = 0; i<kMostDropped&& static_cast<double>(keyframe_bytes())> most_bytes; ++i) {
     const auto removal = find_least_missed(map_, limits);
     if (!removal) break;
     remove_keyframe(*removal);
@@ -265,9 +263,7 @@ void Mapper::cull_keyframes() {
 }
 
 void Mapper::remove_keyframe(const Removal& removal) {
-  const auto& [position, edge] = removal;
-  const auto [from, to] = map_.graph.graph().ends()[edge];
-  const std::size_t substitute = from == position ? to : from;
+  const auto& [position, substitute, edge] = removal;
   const std::size_t number = map_.keyframes[position].number;
   const SE3 T_substitute_keyframe =
       map_.graph.pose(substitute).inverse() * map_.graph.pose(position);
@@ -311,8 +307,12 @@ void Mapper::restore(const Map& map) {
 
 GraphStatistics Mapper::statistics() const {
   GraphStatistics statistics = statistics_;
-  statistics.keyframe_bytes = map_.keyframes.bytes() + (loop_closing_ ? loop_closing_->bytes() : 0);
+  statistics.keyframe_bytes = keyframe_bytes();
   return statistics;
+}
+
+std::size_t Mapper::keyframe_bytes() const {
+  return map_.keyframes.bytes() + (loop_closing_ ? loop_closing_->bytes() : 0);
 }
 
 Map Mapper::to_map() const {

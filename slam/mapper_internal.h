@@ -92,6 +92,7 @@ class Mapper {
   bool join_submaps();
   void settle_links();
   void cull_keyframes();
+  [[nodiscard]] std::size_t keyframe_bytes() const;
   void remove_keyframe(const Removal& removal);
   void add_edge(EdgeKind kind, std::size_t older, std::size_t newer,
                 const PairMeasurement& measurement, std::optional<std::size_t> row);
