@@ -64,8 +64,8 @@ struct LostOptions {
   double max_angular_speed = 6.0;
   /// Largest probability that the pose is wrong by more than 5 cm or 3 degrees, in [0, 1]
   /// (FrameRecord::doubt); 1 = any. Lower it where a wrong pose is worse than none: 0.5 refuses
-  /// three of five that are wrong and passed all else, and 4 in 1000 that are right. A map is
-  /// better off with all of them, because it finds most wrong ones itself.
+  /// half of those that are wrong and have passed all else, and 4 in 1000 of those that are right.
+  /// Nothing is refused by default, because at a few frames a second most of that is right.
   double max_doubt = 1;
   /// Time from the first lost frame on after which a new submap starts [s]: 0.3 s, 10 frames at
   /// 30 Hz, bridge a hand before the camera.
