@@ -78,6 +78,11 @@ cost-of-runs: program ## Compare whole runs with reading the files, write docs/r
 	cmake --preset release -DCVO_SLAM_BUILD_BENCH=ON > /dev/null && cmake --build build/release --target read_images
 	bench/run_cost_of_runs.py build/release
 
+.PHONY: maps
+maps: program ## Measure maps on disk and reading them, write docs/results/maps.md
+	cmake --preset release -DCVO_SLAM_BUILD_BENCH=ON > /dev/null && cmake --build build/release --target read_map
+	bench/run_maps.sh
+
 .PHONY: foreign-input
 foreign-input: program ## Give the program inputs of others, write docs/results/foreign-input.md
 	bench/foreign_input.py $(PROGRAM)

@@ -27,7 +27,7 @@
 #include "cvo_slam/io/map_files.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/trajectory_files.h"
-#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/loop/vocabulary.h"
 
 namespace cvo_slam {
 namespace {

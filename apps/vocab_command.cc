@@ -18,7 +18,6 @@
 #include "cvo_slam/core/parallel.h"
 #include "cvo_slam/loop/orb_features.h"
 #include "cvo_slam/loop/vocabulary.h"
-#include "cvo_slam/loop/vocabulary_files.h"
 
 namespace cvo_slam {
 namespace {

@@ -12,7 +12,6 @@
 #include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/loop/loop_detector.h"
 #include "cvo_slam/loop/vocabulary.h"
-#include "cvo_slam/loop/vocabulary_files.h"
 #include "cvo_slam/synthetic/sensor.h"
 #include "cvo_slam/synthetic/sequence.h"
 #include "cvo_slam/synthetic/world.h"

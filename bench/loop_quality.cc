@@ -30,7 +30,7 @@
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/loop/loop_detector.h"
-#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/loop/vocabulary.h"
 
 namespace cvo_slam {
 namespace {

@@ -119,9 +119,10 @@ void write_file(const fs::path& file, std::string_view bytes) {
   throw OutputError(file, fmt::format("cannot be replaced: {}; check its permissions", reason));
 }
 
-std::uint32_t crc32_of(std::string_view bytes) {
+std::uint32_t crc32_of(std::string_view bytes, std::uint32_t before) {
   const auto* const first = reinterpret_cast<const Bytef*>(bytes.data());
-  return static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), first, bytes.size()));
+  if (first == nullptr) return before;  // zlib would start anew
+  return static_cast<std::uint32_t>(crc32_z(before, first, bytes.size()));
 }
 
 bool make_folder(const fs::path& folder) {

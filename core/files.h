@@ -26,8 +26,8 @@ namespace cvo_slam {
 /// not all bytes can be written; an existing file is then unchanged.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Returns the CRC-32 of zlib.
-[[nodiscard]] std::uint32_t crc32_of(std::string_view bytes);
+/// Returns the CRC-32 of zlib. `before` is that of the bytes before these, if there are any.
+[[nodiscard]] std::uint32_t crc32_of(std::string_view bytes, std::uint32_t before = 0);
 
 /// Makes a folder and its missing parents. Returns true if it did not exist. Throws OutputError if
 /// it cannot be made.

@@ -6,6 +6,27 @@
 #include <cmath>
 
 namespace cvo_slam {
+namespace {
+
+/// -1 for a negative zero, too, so that a point on the rim stays where it is.
+float sign_of(float value) { return std::copysign(1.0F, value); }
+
+}  // namespace
+
+Eigen::Vector2f to_octahedron(const Eigen::Vector3f& unit) {
+  const Eigen::Vector3f p = unit / unit.cwiseAbs().sum();
+  if (p.z() >= 0) return p.head<2>();
+  return {(1 - std::fabs(p.y())) * sign_of(p.x()), (1 - std::fabs(p.x())) * sign_of(p.y())};
+}
+
+Eigen::Vector3f from_octahedron(const Eigen::Vector2f& point) {
+  Eigen::Vector3f p(point.x(), point.y(), 1 - std::fabs(point.x()) - std::fabs(point.y()));
+  if (p.z() < 0) {
+    p.x() = (1 - std::fabs(point.y())) * sign_of(point.x());
+    p.y() = (1 - std::fabs(point.x())) * sign_of(point.y());
+  }
+  return p.normalized();
+}
 
 FieldOfView::FieldOfView(const PinholeCamera& camera) : camera_(camera) {
   if (!camera.has_distortion()) return;  // a pinhole leads nothing back into the image

@@ -19,6 +19,13 @@ struct SurfacePatch {
   float roughness = 0;  ///< standard deviation of the depths' points from the plane [m]
 };
 
+/// Returns the point of the square [-1, 1]^2 that a unit vector has on the unfolded octahedron
+/// |x| + |y| + |z| = 1: two numbers in place of three.
+[[nodiscard]] Eigen::Vector2f to_octahedron(const Eigen::Vector3f& unit);
+
+/// Returns the unit vector of a point that to_octahedron() returned.
+[[nodiscard]] Eigen::Vector3f from_octahedron(const Eigen::Vector2f& point);
+
 /// A coloured point cloud as a structure of arrays; all arrays have size() entries.
 struct PointCloud {
   /// blue, green, red, dI/dx, dI/dy, on the scale of 8-bit values.

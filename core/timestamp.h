@@ -36,6 +36,8 @@ class Timestamp {
   [[nodiscard]] constexpr double seconds() const {
     return static_cast<double>(nanoseconds_) * 1e-9;
   }
+  /// Returns the number of digits that to_string() prints after the point.
+  [[nodiscard]] constexpr int decimals() const { return decimals_; }
   /// Returns the seconds with as many decimals as the stamp has, rounded.
   [[nodiscard]] std::string to_string() const;
 

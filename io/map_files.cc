@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,8 +14,10 @@
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/io/g2o.h"
+#include "cvo_slam/io/map_header_internal.h"
 #include "cvo_slam/io/map_memory_files_internal.h"
 #include "cvo_slam/io/ply.h"
+#include "cvo_slam/io/surface_file_internal.h"
 #include "cvo_slam/io/text_internal.h"
 #include "cvo_slam/io/trajectory_files.h"
 
@@ -100,8 +103,12 @@ void read_points(const std::filesystem::path& file, Map& map, std::vector<std::s
 }
 
 /// Reads the memory; the keyframes' stamps are there and their poses in the graph.
-void add_memory(const std::filesystem::path& folder, Map& map) {
-  map.memory = read_memory(folder);
+void add_memory(const std::filesystem::path& folder, const MapHeader& header, Map& map) {
+  map.memory = read_memory(folder, header);
+  if (header.has(kSurfaceFile)) {
+    CheckedFile surface = header.open_checked(folder, kSurfaceFile);
+    read_surface(surface, map);
+  }
   const auto& keyframes = map.memory->keyframes;
   if (keyframes.size() != map.graph.nodes().size()) {
     throw InputError(folder, fmt::format("{} keyframes, but {} nodes in {}; make the map again",
@@ -118,20 +125,21 @@ Map read_files(const std::filesystem::path& folder, std::vector<std::string>& no
   if (!std::filesystem::is_directory(folder)) {
     throw InputError(folder, "is not a folder; give a folder that cvo_slam run has written");
   }
-  const bool has_memory = has(kMapHeader);
-  if (!has(kKeyframes) && !has(kGraph) && !has(kPoints) && !has_memory) {
+  std::optional<MapHeader> header;
+  if (has(kMapHeader)) header.emplace(folder);
+  if (!has(kKeyframes) && !has(kGraph) && !has(kPoints) && !header) {
     throw InputError(folder, fmt::format("holds no map: none of {}, {} and {}; give a folder that "
                                          "cvo_slam run has written",
                                          kKeyframes, kGraph, kPoints));
   }
-  if (has_memory) check_header(folder);
+  if (header) header->check_small_files(folder);
   Map map;
   if (has(kKeyframes)) map.keyframes = read_tum(folder / kKeyframes);
   if (has(kGraph)) map.graph = read_g2o(folder / kGraph, notes, foreign);
   if (has(kGraph) && has(kEdges)) map.graph = with_edge_kinds(map.graph, folder / kEdges);
   if (has(kPoints)) read_points(folder / kPoints, map, notes);
   if (has(kKeyframes)) check_sizes(folder, map);
-  if (has_memory) add_memory(folder, map);
+  if (header) add_memory(folder, *header, map);
   return map;
 }
 
@@ -140,7 +148,12 @@ void write_files(const std::filesystem::path& folder, const Map& map) {
     write_g2o(folder / kGraph, map.graph);
     write_file(folder / kEdges, edges_text(map.graph));
   }
-  if (!map.points.empty()) write_ply(folder / kPoints, map.points, map.points_origin);
+  if (map.points.empty()) return;
+  if (map.memory) {
+    write_surface(folder / kSurfaceFile, map);
+  } else {
+    write_ply(folder / kPoints, map.points, map.points_origin);
+  }
 }
 
 }  // namespace
@@ -163,7 +176,7 @@ void write_map(const std::filesystem::path& folder, const Map& map) {
   replace_folder(folder, [&map](const std::filesystem::path& place) {
     write_files(place, map);
     write_memory(place, *map.memory);
-    write_header(place, *map.memory);
+    write_map_header(place, *map.memory);
   });
 }
 

@@ -6,25 +6,16 @@
 
 #include <filesystem>
 #include <functional>
-#include <string_view>
 
 #include "cvo_slam/core/map.h"
+#include "cvo_slam/io/map_header_internal.h"
 
 namespace cvo_slam {
-
-/// The file that makes a folder one of a map with memory. It names all others.
-inline constexpr std::string_view kMapHeader = "map.yaml";
 
 /// Writes the memory into a folder: camera.yaml, keyframes.csv, keyframes.bin. Throws OutputError.
 void write_memory(const std::filesystem::path& folder, const MapMemory& memory);
 /// Reads the memory from files that are as the header says. Throws InputError.
-[[nodiscard]] MapMemory read_memory(const std::filesystem::path& folder);
-
-/// Writes the header of a folder, with the size and the checksum of every file in it.
-void write_header(const std::filesystem::path& folder, const MapMemory& memory);
-/// Throws InputError unless the version is ours and every file but those that read_memory() reads
-/// is as the header says.
-void check_header(const std::filesystem::path& folder);
+[[nodiscard]] MapMemory read_memory(const std::filesystem::path& folder, const MapHeader& header);
 
 /// Calls `write` with a folder beside, and lets that take the place of `folder` at once. Throws
 /// OutputError; an existing folder is then unchanged.

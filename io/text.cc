@@ -99,14 +99,14 @@ std::string in_quotes(std::string_view word) {
 }
 
 std::vector<std::string> split_words(std::string_view line) {
-  constexpr std::string_view kSpaces = " \t\r\v\f\n";
+  const auto is_space = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
   std::vector<std::string> words;
-  while (true) {
-    line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
-    if (line.empty()) return words;
-    const std::size_t end = std::min(line.find_first_of(kSpaces), line.size());
-    words.emplace_back(line.substr(0, end));
-    line.remove_prefix(end);
+  for (auto begin = line.begin();;) {
+    begin = std::find_if_not(begin, line.end(), is_space);
+    if (begin == line.end()) return words;
+    const auto end = std::find_if(begin, line.end(), is_space);
+    words.emplace_back(begin, end);
+    begin = end;
   }
 }
 

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "cvo_slam/loop/vocabulary.h"
-#include "cvo_slam/loop/vocabulary_files.h"
 
 // The assembler copies the file's bytes into the read-only data: a C++ array of 2 MB costs a
 // compiler a minute and a gigabyte. GNU's and LLVM's assemblers have .incbin.

@@ -6,8 +6,17 @@
 #include <utility>
 
 #include "cvo_slam/loop/candidate_groups_internal.h"
+#include "cvo_slam/loop/compact_features_internal.h"
 
 namespace cvo_slam {
+
+/// What the detector remembers of a keyframe.
+struct DetectorKeyframe {
+  std::size_t id = 0;
+  CompactFeatures features;
+  ImageWords words;
+};
+
 namespace {
 
 OptionSet describe_candidates(CandidateOptions& o) {
@@ -25,12 +34,10 @@ OptionSet describe_candidates(CandidateOptions& o) {
            "Candidates at most this far apart are the same place.");
 }
 
-std::size_t bytes_of(const Appearance& appearance) {
-  const OrbFeatures& features = appearance.features;
-  return sizeof(Appearance) + features.points.capacity() * sizeof(OrbFeature) +
-         features.descriptors.capacity() * sizeof(Descriptor) +
-         appearance.words.bag.capacity() * sizeof(WordWeight) +
-         appearance.words.nodes.capacity() * sizeof(NodeFeature);
+std::size_t bytes_of(const DetectorKeyframe& keyframe) {
+  return sizeof(DetectorKeyframe) + keyframe.features.bytes() +
+         keyframe.words.bag.capacity() * sizeof(WordWeight) +
+         keyframe.words.nodes.capacity() * sizeof(NodeFeature);
 }
 
 /// Returns the groups of the matches with a sufficient score, the best ones first.
@@ -70,14 +77,9 @@ LoopDetector::LoopDetector(const Camera& camera, const LoopOptions& options,
 }
 
 std::shared_ptr<const Appearance> LoopDetector::extract(const RgbdFrame& frame) const {
-  return describe(frame.index, extract_orb(frame, camera_, options_.orb));
-}
-
-std::shared_ptr<const Appearance> LoopDetector::describe(std::size_t id,
-                                                         OrbFeatures features) const {
   Appearance appearance;
-  appearance.id = id;
-  appearance.features = std::move(features);
+  appearance.id = frame.index;
+  appearance.features = extract_orb(frame, camera_, options_.orb);
   appearance.words = vocabulary_->transform(appearance.features.descriptors,
                                             options_.verification.matching.node_level);
   return std::make_shared<const Appearance>(std::move(appearance));
@@ -108,7 +110,8 @@ std::vector<LoopMatch> LoopDetector::verify(const Appearance& query,
   std::vector<LoopMatch> matches;
   for (const CandidateGroup& group : groups) {
     const KeyframeMatch& best = group.best;
-    const Appearance& keyframe = *keyframes_[best.position];
+    const DetectorKeyframe& stored = *keyframes_[best.position];
+    const Appearance keyframe{stored.id, stored.features.features(camera_.color), stored.words};
     matches.push_back({.query = query.id,
                        .keyframe = keyframe.id,
                        .score = best.score,
@@ -119,9 +122,22 @@ std::vector<LoopMatch> LoopDetector::verify(const Appearance& query,
   return matches;
 }
 
-void LoopDetector::add(std::shared_ptr<const Appearance> keyframe) {
+void LoopDetector::add(const std::shared_ptr<const Appearance>& keyframe) {
   database_.add(keyframe->words.bag);
-  keyframes_.push_back(std::move(keyframe));
+  keyframes_.push_back(std::make_shared<const DetectorKeyframe>(
+      DetectorKeyframe{keyframe->id, CompactFeatures(keyframe->features), keyframe->words}));
+}
+
+void LoopDetector::add(std::size_t id, std::string_view features) {
+  DetectorKeyframe keyframe{id, CompactFeatures::from_bytes(features), {}};
+  keyframe.words = vocabulary_->transform(keyframe.features.descriptors(),
+                                          options_.verification.matching.node_level);
+  database_.add(keyframe.words.bag);
+  keyframes_.push_back(std::make_shared<const DetectorKeyframe>(std::move(keyframe)));
+}
+
+std::string LoopDetector::features_of(std::size_t i) const {
+  return keyframes_[i]->features.to_bytes();
 }
 
 void LoopDetector::remove(std::size_t i) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
@@ -17,6 +19,7 @@
 namespace cvo_slam {
 
 struct CandidateGroup;
+struct DetectorKeyframe;
 
 /// Which keyframes become loop candidates.
 struct CandidateOptions {
@@ -116,7 +119,7 @@ class KeyframeDatabase {
 ///     }
 ///
 /// The results depend only on the images, their order and their ids. All functions except extract()
-/// and describe() are for one thread at a time. Only the word query of find_loops() and
+/// are for one thread at a time. Only the word query of find_loops() and
 /// relocalize() takes longer with more keyframes.
 class LoopDetector {
  public:
@@ -127,9 +130,6 @@ class LoopDetector {
   /// Returns the features and words of an image, with the frame's index as id. An image without
   /// features (see extract_orb()) matches nothing. May be called from several threads.
   [[nodiscard]] std::shared_ptr<const Appearance> extract(const RgbdFrame& frame) const;
-  /// Returns the same for features that are there already, as those of a map file.
-  [[nodiscard]] std::shared_ptr<const Appearance> describe(std::size_t id,
-                                                           OrbFeatures features) const;
 
   /// Returns the keyframes whose place the next keyframe, not yet added, may show, all older than
   /// the newest CandidateOptions::min_gap: the best match of each place, the likeliest place first.
@@ -139,8 +139,12 @@ class LoopDetector {
   /// keyframes.
   [[nodiscard]] std::vector<LoopMatch> relocalize(const Appearance& query);
 
-  /// Adds the next keyframe.
-  void add(std::shared_ptr<const Appearance> keyframe);
+  /// Adds the next keyframe. Of its features 40 bytes each are kept: places are rounded to 1/16 px,
+  /// depths to 0.1 %, orientations to 1.4 degrees.
+  void add(const std::shared_ptr<const Appearance>& keyframe);
+  /// Adds the next keyframe, with what features_of() returned for it. Throws DataError if the bytes
+  /// are not those of features.
+  void add(std::size_t id, std::string_view features);
   /// Removes a keyframe, counted from 0 in the order of add(); others keep their numbers. The
   /// newest one may not be removed.
   void remove(std::size_t i);
@@ -149,8 +153,9 @@ class LoopDetector {
   [[nodiscard]] const Vocabulary& vocabulary() const { return *vocabulary_; }
   /// Number of keyframes that were added.
   [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
-  /// Returns a keyframe that was not removed, counted from 0 in the order of add().
-  [[nodiscard]] const Appearance& keyframe(std::size_t i) const { return *keyframes_[i]; }
+  /// Returns the features of a keyframe that was not removed, counted from 0 in the order of add(),
+  /// as bytes for a file.
+  [[nodiscard]] std::string features_of(std::size_t i) const;
   /// Memory of the keyframes' features, words and index [bytes].
   [[nodiscard]] std::size_t bytes() const;
 
@@ -164,7 +169,7 @@ class LoopDetector {
   std::shared_ptr<const Vocabulary> vocabulary_;
   LoopVerifier verifier_;
   KeyframeDatabase database_;
-  std::vector<std::shared_ptr<const Appearance>> keyframes_;  // null where one was removed
+  std::vector<std::shared_ptr<const DetectorKeyframe>> keyframes_;  // null where one was removed
 };
 
 }  // namespace cvo_slam

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
@@ -18,7 +16,7 @@ namespace cvo_slam {
 /// How ORB features are extracted.
 struct OrbOptions {
   /// Most features of an image, 10 to 20000. More make loops under changed viewpoints more likely
-  /// and take more time and memory (85 bytes per feature of a keyframe).
+  /// and take more time and memory (64 bytes per feature of a keyframe).
   int features = 1000;
   int levels = 8;      ///< number of levels of the image pyramid, 1 to 16
   double scale = 1.2;  ///< ratio of the sizes of two neighbouring levels, 1.05 to 2
@@ -61,13 +59,6 @@ struct OrbFeatures {
   /// Returns true if there are no features.
   [[nodiscard]] bool empty() const { return points.empty(); }
 };
-
-/// Returns the features of a keyframe as bytes for map files, 45 a feature: positions are rounded
-/// to 1/16 px and orientations to 1.4 degrees, which is below what the corners are accurate to.
-[[nodiscard]] std::string features_to_bytes(const OrbFeatures& features);
-/// Returns the features of features_to_bytes(). Throws DataError if the bytes are not those of
-/// features.
-[[nodiscard]] OrbFeatures features_from_bytes(std::string_view bytes, const PinholeCamera& camera);
 
 /// Returns oriented FAST corners with their ORB descriptors (E. Rublee et al., "ORB: an efficient
 /// alternative to SIFT or SURF", ICCV 2011; OpenCV's implementation). The strongest corner of each

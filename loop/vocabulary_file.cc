@@ -11,7 +11,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
-#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/loop/vocabulary.h"
 
 namespace cvo_slam {
 namespace {

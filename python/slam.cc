@@ -16,7 +16,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/loop/vocabulary.h"
 #include "cvo_slam/python/arrays_internal.h"
 #include "cvo_slam/python/bindings_internal.h"
 #include "cvo_slam/python/next_frame_internal.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -48,9 +49,9 @@ class LogValues {
   std::array<double, kFew> high_{};
 };
 
-constexpr float kRaySteps = 8192;                                // a unit of x/z
-constexpr LogScale kDepth = {.smallest = 0.02, .step = 1.4e-4};  // [m]
-constexpr LogScale kNoise = {.smallest = 1e-5, .step = 0.047};   // [m], up to 1.6 m
+constexpr float kRaySteps = 8192;                                   // a unit of x/z
+constexpr LogScale kDepth = {.smallest = 0.02, .step = 1.4e-4};     // [m]
+constexpr LogScale kRoughness = {.smallest = 1e-5, .step = 0.047};  // [m], up to 1.6 m
 constexpr float kOctahedron = 127;
 
 const LogValues& depths() {
@@ -58,8 +59,8 @@ const LogValues& depths() {
   return values;
 }
 
-const LogValues& noises() {
-  static const LogValues values(kNoise);
+const LogValues& roughnesses() {
+  static const LogValues values(kRoughness);
   return values;
 }
 
@@ -82,55 +83,51 @@ float step_for(std::span<const std::vector<float>> arrays, float largest_code) {
 struct Header {
   std::uint32_t points;
   std::uint32_t surfaces;
-  std::uint32_t has_ray_noise;
+  float ray_noise_floor;
+  float ray_noise_quadratic;
   float color_step;
   float gradient_step;
   float surface_noise;
 };
 
-/// Appends the first byte of all records, the second of all, ...
 template <typename Record>
-void append_planes(const std::vector<Record>& records, std::string& bytes) {
+std::string_view raw(const std::vector<Record>& records) {
   static_assert(std::has_unique_object_representations_v<Record>);
-  const auto* const raw = reinterpret_cast<const char*>(records.data());
-  for (std::size_t k = 0; k < sizeof(Record); ++k) {
-    for (std::size_t i = 0; i < records.size(); ++i) bytes += raw[i * sizeof(Record) + k];
-  }
+  return {reinterpret_cast<const char*>(records.data()), records.size() * sizeof(Record)};
 }
 
 template <typename Record>
-void read_planes(const char* bytes, std::vector<Record>& records) {
-  auto* const raw = reinterpret_cast<char*>(records.data());
-  for (std::size_t k = 0; k < sizeof(Record); ++k) {
-    for (std::size_t i = 0; i < records.size(); ++i) raw[i * sizeof(Record) + k] = *bytes++;
-  }
-}
-
-float sign_of(float value) { return value < 0 ? -1.0F : 1.0F; }
-
-/// A point of the square that the octahedron |x| + |y| + |z| = 1 unfolds to, for a unit vector.
-Eigen::Vector2f unfolded(const Eigen::Vector3f& normal) {
-  const Eigen::Vector3f p = normal / normal.cwiseAbs().sum();
-  if (p.z() >= 0) return p.head<2>();
-  return {(1 - std::fabs(p.y())) * sign_of(p.x()), (1 - std::fabs(p.x())) * sign_of(p.y())};
-}
-
-Eigen::Vector3f folded(const Eigen::Vector2f& q) {
-  Eigen::Vector3f p(q.x(), q.y(), 1 - std::fabs(q.x()) - std::fabs(q.y()));
-  if (p.z() < 0) {
-    p.x() = (1 - std::fabs(q.y())) * sign_of(q.x());
-    p.y() = (1 - std::fabs(q.x())) * sign_of(q.y());
-  }
-  return p.normalized();
+void read_records(const char*& bytes, std::vector<Record>& records) {
+  const std::size_t size = records.size() * sizeof(Record);
+  if (size > 0) std::memcpy(records.data(), bytes, size);
+  bytes += size;
 }
 
 }  // namespace
+
+CompactCloud::RayNoise CompactCloud::RayNoise::of(const PointCloud& cloud) {
+  // Near points show the floor, far ones the quadratic part, and neither shows less of the other.
+  RayNoise noise;
+  for (std::size_t i = 0; i < cloud.ray_noise.size(); ++i) {
+    const Vector3 p = cloud.position(i);
+    const auto sigma_z = static_cast<float>(cloud.ray_noise[i] * p.z() / p.norm());
+    const float quadratic = sigma_z / (cloud.z[i] * cloud.z[i]);
+    noise.floor = i == 0 ? sigma_z : std::min(noise.floor, sigma_z);
+    noise.quadratic = i == 0 ? quadratic : std::min(noise.quadratic, quadratic);
+  }
+  return noise;
+}
+
+float CompactCloud::RayNoise::at(const Vector3& point) const {
+  const auto z = static_cast<float>(point.z());
+  return std::max(floor, quadratic * z * z) * static_cast<float>(point.norm()) / z;
+}
 
 CompactCloud::CompactCloud(const PointCloud& cloud)
     : color_step_(step_for(std::span(cloud.features).first(3), 255)),
       gradient_step_(step_for(std::span(cloud.features).last(2), 127)),
       surface_noise_(cloud.surface_noise),
-      has_ray_noise_(!cloud.ray_noise.empty()),
+      ray_noise_(RayNoise::of(cloud)),
       points_(cloud.size()),
       surfaces_(cloud.surfaces.size()) {
   const auto color = [&](std::size_t channel, std::size_t i) {
@@ -141,56 +138,58 @@ CompactCloud::CompactCloud(const PointCloud& cloud)
   };
   for (std::size_t i = 0; i < points_.size(); ++i) {
     Point& point = points_[i];
-    point.x = rounded<std::int16_t>(kRaySteps * cloud.x[i] / cloud.z[i]);
-    point.y = rounded<std::int16_t>(kRaySteps * cloud.y[i] / cloud.z[i]);
-    point.log_z = kDepth.code<std::uint16_t>(cloud.z[i]);
+    point.x = std::bit_cast<TwoBytes>(rounded<std::int16_t>(kRaySteps * cloud.x[i] / cloud.z[i]));
+    point.y = std::bit_cast<TwoBytes>(rounded<std::int16_t>(kRaySteps * cloud.y[i] / cloud.z[i]));
+    point.log_z = std::bit_cast<TwoBytes>(kDepth.code<std::uint16_t>(cloud.z[i]));
     point.blue = color(0, i);
     point.green = color(1, i);
     point.red = color(2, i);
     point.dx = gradient(3, i);
     point.dy = gradient(4, i);
-    if (has_ray_noise_) point.log_ray_noise = kNoise.code<std::uint8_t>(cloud.ray_noise[i]);
   }
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const auto& [normal, roughness] = cloud.surfaces[i];
     if (normal.isZero()) continue;
-    const Eigen::Vector2f place = kOctahedron * unfolded(normal);
+    const Eigen::Vector2f place = kOctahedron * to_octahedron(normal);
     surfaces_[i] = {rounded<std::int8_t>(place.x()), rounded<std::int8_t>(place.y()),
-                    std::max<std::uint8_t>(1, kNoise.code<std::uint8_t>(roughness))};
+                    std::max<std::uint8_t>(1, kRoughness.code<std::uint8_t>(roughness))};
   }
 }
 
 Vector3 CompactCloud::position(std::size_t i) const {
   const Point& point = points_[i];
-  const float z = depths()[point.log_z];
-  return {static_cast<float>(point.x) / kRaySteps * z, static_cast<float>(point.y) / kRaySteps * z,
-          z};
+  const float z = depths()[std::bit_cast<std::uint16_t>(point.log_z)];
+  const auto along = [z](const TwoBytes& ray) {
+    return static_cast<float>(std::bit_cast<std::int16_t>(ray)) / kRaySteps * z;
+  };
+  return {along(point.x), along(point.y), z};
 }
 
 PointCloud CompactCloud::points() const {
   PointCloud cloud;
-  cloud.ray_noise.resize(has_ray_noise_ ? size() : 0);
+  cloud.ray_noise.resize(ray_noise_.floor > 0 ? size() : 0);
   cloud.surfaces.resize(surfaces_.size());
   cloud.surface_noise = surface_noise_;
   cloud.resize(size());
   for (std::size_t i = 0; i < size(); ++i) {
     const Point& point = points_[i];
-    const float z = depths()[point.log_z];
-    cloud.x[i] = static_cast<float>(point.x) / kRaySteps * z;
-    cloud.y[i] = static_cast<float>(point.y) / kRaySteps * z;
-    cloud.z[i] = z;
+    const Vector3 p = position(i);
+    cloud.x[i] = static_cast<float>(p.x());
+    cloud.y[i] = static_cast<float>(p.y());
+    cloud.z[i] = static_cast<float>(p.z());
     cloud.features[0][i] = color_step_ * static_cast<float>(point.blue);
     cloud.features[1][i] = color_step_ * static_cast<float>(point.green);
     cloud.features[2][i] = color_step_ * static_cast<float>(point.red);
     cloud.features[3][i] = gradient_step_ * static_cast<float>(point.dx);
     cloud.features[4][i] = gradient_step_ * static_cast<float>(point.dy);
-    if (has_ray_noise_) cloud.ray_noise[i] = noises()[point.log_ray_noise];
+    if (!cloud.ray_noise.empty()) cloud.ray_noise[i] = ray_noise_.at(p);
   }
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const Surface& surface = surfaces_[i];
     if (surface.log_roughness == 0) continue;
     const Eigen::Vector2f place(static_cast<float>(surface.a), static_cast<float>(surface.b));
-    cloud.surfaces[i] = {folded(place / kOctahedron), noises()[surface.log_roughness]};
+    cloud.surfaces[i] = {from_octahedron(place / kOctahedron),
+                         roughnesses()[surface.log_roughness]};
   }
   return cloud;
 }
@@ -203,13 +202,14 @@ std::size_t CompactCloud::bytes() const {
 std::string CompactCloud::to_bytes() const {
   const Header header = {static_cast<std::uint32_t>(points_.size()),
                          static_cast<std::uint32_t>(surfaces_.size()),
-                         has_ray_noise_ ? 1U : 0U,
+                         ray_noise_.floor,
+                         ray_noise_.quadratic,
                          color_step_,
                          gradient_step_,
                          surface_noise_};
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof(header));
-  append_planes(points_, bytes);
-  append_planes(surfaces_, bytes);
+  bytes += raw(points_);
+  bytes += raw(surfaces_);
   return bytes;
 }
 
@@ -219,8 +219,11 @@ CompactCloud CompactCloud::from_bytes(std::string_view bytes) {
   std::memcpy(&header, bytes.data(), sizeof(header));
   const std::size_t expected =
       sizeof(header) + header.points * sizeof(Point) + header.surfaces * sizeof(Surface);
+  const auto is_deviation = [](float value) { return value >= 0 && std::isfinite(value); };
   const bool is_possible = std::isfinite(header.color_step) &&
                            std::isfinite(header.gradient_step) && header.surface_noise >= 0 &&
+                           is_deviation(header.ray_noise_floor) &&
+                           is_deviation(header.ray_noise_quadratic) &&
                            (header.surfaces == 0 || header.surfaces == header.points);
   if (bytes.size() != expected || !is_possible) {
     throw DataError(fmt::format("the points of a keyframe are damaged: {} bytes, expected {}",
@@ -230,12 +233,12 @@ CompactCloud CompactCloud::from_bytes(std::string_view bytes) {
   cloud.color_step_ = header.color_step;
   cloud.gradient_step_ = header.gradient_step;
   cloud.surface_noise_ = header.surface_noise;
-  cloud.has_ray_noise_ = header.has_ray_noise != 0;
+  cloud.ray_noise_ = {header.ray_noise_floor, header.ray_noise_quadratic};
   cloud.points_.resize(header.points);
   cloud.surfaces_.resize(header.surfaces);
-  const char* const first = bytes.data() + sizeof(header);
-  read_planes(first, cloud.points_);
-  read_planes(first + header.points * sizeof(Point), cloud.surfaces_);
+  const char* next = bytes.data() + sizeof(header);
+  read_records(next, cloud.points_);
+  read_records(next, cloud.surfaces_);
   return cloud;
 }
 

@@ -5,7 +5,7 @@
 
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/core/pose_graph.h"
-#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/loop/vocabulary.h"
 #include "cvo_slam/slam/ambiguity_internal.h"
 #include "cvo_slam/slam/loop_closing_internal.h"
 #include "cvo_slam/slam/proximity_internal.h"
@@ -48,8 +48,7 @@ LoopVerdict rejected(const LoopMatch& match, const std::string& reason) {
 LoopClosing::LoopClosing(const Camera& camera, const RegistrationOptions& registration, int threads,
                          const LoopClosingOptions& options, const RegistrationNoise& noise,
                          const std::shared_ptr<const Vocabulary>& vocabulary)
-    : camera_(camera.color),
-      field_of_view_(camera.color),
+    : field_of_view_(camera.color),
       options_(options),
       detector_(camera, options.detection, vocabulary),
       appearances_(detector_),
@@ -57,7 +56,7 @@ LoopClosing::LoopClosing(const Camera& camera, const RegistrationOptions& regist
 
 void LoopClosing::restore(std::size_t number, const std::string& features) {
   places_.emplace(number, detector_.size());
-  detector_.add(detector_.describe(number, features_from_bytes(features, camera_)));
+  detector_.add(number, features);
 }
 
 void LoopClosing::remove(std::size_t number) {
@@ -68,7 +67,7 @@ void LoopClosing::remove(std::size_t number) {
 }
 
 std::string LoopClosing::features_of(std::size_t number) const {
-  return features_to_bytes(detector_.keyframe(places_.at(number)).features);
+  return detector_.features_of(places_.at(number));
 }
 
 std::uint32_t LoopClosing::vocabulary_checksum() const {

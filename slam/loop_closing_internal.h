@@ -88,7 +88,6 @@ class LoopClosing {
                                             std::size_t index, const Timestamp& now,
                                             const MapState& map);
 
-  PinholeCamera camera_;
   FieldOfView field_of_view_;
   LoopClosingOptions options_;
   LoopDetector detector_;

@@ -66,8 +66,8 @@ void Mapper::add_keyframe(const KeyframeInput& keyframe) {
   } else if (map_.has_own_keyframes()) {
     T_world_camera = start_after_gap(keyframe);
   }
-  map_.keyframes.add(
-      {keyframe.number, keyframe.stamp, keyframe.tracked_submap, CompactCloud(*keyframe.cloud)});
+  map_.keyframes.add({keyframe.number, keyframe.stamp, keyframe.tracked_submap,
+                      CompactCloud(first_points(*keyframe.cloud, options_.map_points))});
   map_.graph.add_keyframe(keyframe.number, T_world_camera);
   proximity_.set(map_.keyframes.size() - 1, T_world_camera.translation(),
                  map_.keyframes.newest().reach);

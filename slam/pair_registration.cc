@@ -13,13 +13,6 @@
 namespace cvo_slam {
 namespace {
 
-/// Every prefix of a selected cloud is spread over the image (PointSelector).
-PointCloud first_points(const PointCloud& cloud, int count) {
-  PointCloud result = cloud;
-  result.resize(std::min(cloud.size(), static_cast<std::size_t>(count)));
-  return result;
-}
-
 /// Figures of two registrations that agree, without the comparison with a prior.
 PairVerdict compare(const RegistrationResult& there, const RegistrationResult& back) {
   PairVerdict verdict;
@@ -59,6 +52,12 @@ std::string find_fault(const PairVerdict& v, double usual_cos_theta, const PairO
 }
 
 }  // namespace
+
+PointCloud first_points(const PointCloud& cloud, int count) {
+  PointCloud result = cloud;
+  result.resize(std::min(cloud.size(), static_cast<std::size_t>(count)));
+  return result;
+}
 
 Matrix6 RegistrationNoise::added_to(Matrix6 covariance) const {
   covariance.diagonal().head<3>().array() += translation * translation;

@@ -56,6 +56,10 @@ struct PairVerdict {
   }
 };
 
+/// The first points of a cloud. Every prefix of a selected cloud is spread over the image
+/// (PointSelector).
+[[nodiscard]] PointCloud first_points(const PointCloud& cloud, int count);
+
 /// Registers a new keyframe and an earlier one to each other, both ways, and judges the result.
 class PairRegistration {
  public:

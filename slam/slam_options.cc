@@ -95,7 +95,7 @@ OptionSet describe(CullingOptions& o) {
            "that it has.")
       .add("max_memory", o.max_memory, {0, 1e9}, "MB",
            "Most memory of the keyframes; 0 = no limit. Beyond it, those that are nearest to "
-           "others are removed, so that the map gets coarser. 50 keyframes take 8 MB.");
+           "others are removed, so that the map gets coarser. 50 keyframes take 6 MB.");
 }
 
 OptionSet describe(SlamOptions& o) {
@@ -110,6 +110,9 @@ OptionSet describe(SlamOptions& o) {
            "one. Fixed, so that no result depends on timing.")
       .add("optimize_every", o.optimize_every, {1, 100000}, "keyframes",
            "The newest part of the graph is optimised whenever so many keyframes were added.")
+      .add("map_points", o.map_points, {50, 100000}, "",
+           "Most points of a keyframe that the map keeps, of those that the tracker selects for "
+           "it. Twice as many as are registered to them; more take memory and time.")
       .add("proximity", describe(o.proximity))
       .add("loops", describe(o.loops))
       .add("culling", describe(o.culling))

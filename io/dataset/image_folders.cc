@@ -188,7 +188,9 @@ void add_notes(const NumberedImages& images, std::size_t used, Sequence& sequenc
 }
 
 Sequence open_image_folders(const Path& folder, const PairingOptions& options) {
-  const NumberedImages color_images = list_images(color_folder(folder).value());
+  const auto color = color_folder(folder);
+  if (!color) throw InputError(folder, "its files changed while it was opened; try again");
+  const NumberedImages color_images = list_images(*color);
   const NumberedImages depth_images = list_images(folder / "depth");
   if (color_images.images.empty() || depth_images.images.empty()) {
     throw InputError(folder,

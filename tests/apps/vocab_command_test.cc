@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/loop/vocabulary.h"
 #include "cvo_slam/tests/apps/run_program.h"
 #include "cvo_slam/tests/loop/poster_frames.h"
 #include "cvo_slam/tests/temporary_folder.h"

@@ -19,12 +19,14 @@
 #include "cvo_slam/io/dataset/image_lists_internal.h"
 #include "cvo_slam/io/g2o.h"
 #include "cvo_slam/io/image_header_internal.h"
+#include "cvo_slam/io/map_header_internal.h"
 #include "cvo_slam/io/map_memory_files_internal.h"
 #include "cvo_slam/io/options_file.h"
 #include "cvo_slam/io/ply.h"
+#include "cvo_slam/io/surface_file_internal.h"
 #include "cvo_slam/io/trajectory_files.h"
-#include "cvo_slam/loop/orb_features.h"
-#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/loop/compact_features_internal.h"
+#include "cvo_slam/loop/vocabulary.h"
 #include "cvo_slam/slam/compact_cloud_internal.h"
 #include "cvo_slam/slam/slam_options.h"
 #include "cvo_slam/synthetic/world.h"
@@ -97,11 +99,7 @@ void parse_vocabulary(std::string_view bytes) {
 
 void parse_image(std::string_view bytes) { static_cast<void>(parse_image_header(bytes)); }
 
-/// Two blocks, of which the first is packed.
-constexpr std::string_view kMapBlob(
-    "\x0b\0\x78\x9c\x4b\x4c\x84\x01\0\x14\xe1\x03\xcb"
-    "\0\0abcd",
-    19);
+constexpr std::string_view kMapBlob = "aaaabbbbccccdddd";
 
 const fs::path& map_folder() {
   static const fs::path folder = [] {
@@ -118,7 +116,7 @@ const fs::path& map_folder() {
 void parse_map_header(std::string_view bytes) {
   map_folder();
   write_scratch("map/map.yaml", bytes);
-  check_header(map_folder());
+  MapHeader(map_folder()).check_small_files(map_folder());
 }
 
 /// The table of the keyframes, with the checksum that it has.
@@ -127,11 +125,12 @@ void parse_map_keyframes(std::string_view bytes) {
   const auto entry = [](std::string_view name, std::string_view file) {
     return fmt::format("  {}: [{}, \"{:08x}\"]\n", name, file.size(), crc32_of(file));
   };
-  write_scratch("map/map.yaml", "vocabulary: 0\ncos_theta: [1, 2]\nfiles:\n" +
+  write_scratch("map/map.yaml", "format: 3\nvocabulary: 0\ncos_theta: [1, 2]\nfiles:\n" +
                                     entry("keyframes.csv", bytes) +
-                                    entry("keyframes.bin", kMapBlob));
+                                    entry("keyframes.bin", kMapBlob) + entry("camera.yaml", "") +
+                                    entry("graph.g2o", "") + entry("edges.txt", ""));
   write_scratch("map/keyframes.csv", bytes);
-  static_cast<void>(read_memory(map_folder()));
+  static_cast<void>(read_memory(map_folder(), MapHeader(map_folder())));
 }
 
 /// The bytes of a keyframe, as they are after their checksum was found right.
@@ -140,8 +139,13 @@ void parse_map_bytes(std::string_view bytes) {
   const std::string_view rest = bytes.substr(1);
   if (bytes.front() == 'p') {
     static_cast<void>(CompactCloud::from_bytes(rest).points());
+  } else if (bytes.front() == 's') {
+    write_scratch("surface.bin", rest);
+    CheckedFile file(scratch_folder() / "surface.bin", rest.size(), crc32_of(rest));
+    Map map;
+    read_surface(file, map);
   } else {
-    static_cast<void>(features_from_bytes(rest, PinholeCamera()));
+    static_cast<void>(CompactFeatures::from_bytes(rest).features(PinholeCamera()));
   }
 }
 

@@ -3,16 +3,12 @@
 #include "cvo_slam/loop/orb_features.h"
 
 #include <cmath>
-#include <numbers>
 #include <set>
-#include <string>
-#include <tuple>
 #include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cvo_slam/core/error.h"
 #include "cvo_slam/tests/loop/poster_frames.h"
 
 namespace cvo_slam {
@@ -134,33 +130,6 @@ TEST(OrbFeatures, GreyImagesAreAccepted) {
   RgbdFrame frame = kFrame;
   cv::cvtColor(kFrame.color, frame.color, cv::COLOR_BGR2GRAY);
   EXPECT_EQ(extract_orb(frame, kCamera).descriptors, extract_orb(kFrame, kCamera).descriptors);
-}
-
-TEST(OrbFeatures, TheirBytesGiveThemBack) {
-  const OrbFeatures features = extract_orb(kFrame, kCamera, {.features = 200});
-  const std::string bytes = features_to_bytes(features);
-  const OrbFeatures again = features_from_bytes(bytes, kCamera.color);
-  EXPECT_EQ(features_to_bytes(again), bytes);
-  ASSERT_EQ(again.size(), features.size());
-  EXPECT_EQ(again.descriptors, features.descriptors);
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const OrbFeature& a = features.points[i];
-    const OrbFeature& b = again.points[i];
-    EXPECT_NEAR(a.u, b.u, 0.04) << i;
-    EXPECT_NEAR(a.v, b.v, 0.04) << i;
-    EXPECT_NEAR(a.x, b.x, 0.04 / kCamera.color.fx) << i;
-    EXPECT_NEAR(std::remainder(a.angle - b.angle, 2 * std::numbers::pi_v<float>), 0, 0.013) << i;
-    EXPECT_EQ(a.depth, b.depth) << i;
-    EXPECT_EQ(a.size, b.size) << i;
-  }
-}
-
-TEST(OrbFeatures, DamagedBytesAreErrors) {
-  const std::string bytes = features_to_bytes(extract_orb(kFrame, kCamera, {.features = 20}));
-  EXPECT_THROW(std::ignore = features_from_bytes(bytes.substr(1), kCamera.color), DataError);
-  EXPECT_THROW(std::ignore = features_from_bytes(std::string(bytes.size(), '\xff'), kCamera.color),
-               DataError);
-  EXPECT_TRUE(features_from_bytes("", kCamera.color).empty());
 }
 
 }  // namespace

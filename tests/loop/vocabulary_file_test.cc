@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/loop/vocabulary_files.h"
+#include "cvo_slam/loop/vocabulary.h"
 #include "cvo_slam/tests/loop/descriptor_samples.h"
 #include "cvo_slam/tests/temporary_folder.h"
 

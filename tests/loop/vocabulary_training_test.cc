@@ -10,7 +10,6 @@
 #include "cvo_slam/loop/descriptor.h"
 #include "cvo_slam/loop/k_majority_internal.h"
 #include "cvo_slam/loop/vocabulary.h"
-#include "cvo_slam/loop/vocabulary_files.h"
 #include "cvo_slam/tests/loop/descriptor_samples.h"
 
 namespace cvo_slam {
