@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "cvo_slam/apps/sequence_run.h"
 #include "cvo_slam/core/error.h"
@@ -79,12 +80,20 @@ TimedSequence open_timed(const DatasetArguments& arguments, const TrackerOptions
 FollowedSequence open_followed(const DatasetArguments& arguments, const FollowOptions& options) {
   if (arguments.depth_offset == kMeasuredDepthOffset) {
     throw OptionError(
-        "--depth-offset measure needs a whole recording, and --follow reads one that is still "
-        "being written; give the offset in seconds");
+        "--depth-offset measure needs a whole recording, and this one is still being made; give "
+        "the offset in seconds");
   }
   const DatasetOptions dataset_options = arguments.dataset_options();
-  FollowedSequence result{
-      std::make_shared<FollowedDataset>(arguments.dataset, dataset_options, options), {}};
+  FollowedSequence result;
+  const auto open = [&result](auto data) {
+    result.data = data;
+    result.frames = std::move(data);
+  };
+  if (arguments.is_pipe()) {
+    open(std::make_shared<PipedDataset>(STDIN_FILENO, dataset_options, options.stop));
+  } else {
+    open(std::make_shared<FollowedDataset>(arguments.dataset, dataset_options, options));
+  }
   const auto& offset = result.data->camera().depth_offset;
   result.clock.seconds = offset.value_or(0);
   result.clock.origin = arguments.given_depth_offset() ? "given by --depth-offset"

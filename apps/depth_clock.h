@@ -40,15 +40,16 @@ struct TimedSequence {
 /// is 0.
 [[nodiscard]] TimedSequence open_untimed(const DatasetArguments& arguments);
 
-/// A recording that is still being written, with its images paired by its depth offset.
+/// A recording that is still being made, with its images paired by its depth offset.
 struct FollowedSequence {
-  std::shared_ptr<FollowedDataset> data;
+  std::shared_ptr<const Dataset> data;  ///< what `frames` has returned
+  std::shared_ptr<FrameSource> frames;
   DepthClock clock;
 };
 
-/// Waits for the first frames of a recording and opens it with the depth offset that --depth-offset
-/// gives, else with that of the camera; it cannot be measured yet. Throws OptionError if it was to
-/// be measured.
+/// Waits for the first frames of a recording, or opens standard input if its folder is "-", with
+/// the depth offset that --depth-offset gives, else with that of the camera; it cannot be measured
+/// yet. Throws OptionError if it was to be measured.
 [[nodiscard]] FollowedSequence open_followed(const DatasetArguments& arguments,
                                              const FollowOptions& options);
 

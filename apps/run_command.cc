@@ -49,6 +49,9 @@ struct RunArguments {
   bool localize = false;
   bool save_map = false;
   LoopPictures loop_pictures = LoopPictures::kAccepted;
+
+  /// True if the number of frames is not known before the end.
+  [[nodiscard]] bool is_open_ended() const { return follow || tracking.sequence.is_pipe(); }
 };
 
 /// Makes and returns a new folder: `name` in `parent` or, if that exists, `name`_2, `name`_3, ...
@@ -161,17 +164,20 @@ struct RunInput {
 
 RunInput open_followed_input(const RunArguments& arguments) {
   if (!arguments.tracking.frames.empty()) {
-    throw OptionError("--frames needs the number of frames, which --follow does not know");
+    throw OptionError("--frames needs the number of frames, which --follow and a pipe do not know");
   }
   FollowOptions options;
   options.end_after = arguments.end_after.value_or(options.end_after);
   options.stop = &InterruptGuard::requested;
   if (!arguments.quiet) {
-    fmt::print(stderr, "waiting for frames in {}\n", arguments.tracking.sequence.dataset.string());
+    fmt::print(stderr, "waiting for frames {}\n",
+               arguments.tracking.sequence.is_pipe()
+                   ? "on standard input"
+                   : "in " + arguments.tracking.sequence.dataset.string());
   }
   try {
     const auto followed = open_followed(arguments.tracking.sequence, options);
-    return {followed.data, followed.data, followed.clock, {}};
+    return {followed.data, followed.frames, followed.clock, {}};
   } catch (const InputError&) {
     if (!InterruptGuard::requested()) throw;
     return {};
@@ -179,7 +185,7 @@ RunInput open_followed_input(const RunArguments& arguments) {
 }
 
 RunInput open_input(const RunArguments& arguments, const TrackerOptions& options) {
-  if (arguments.follow) return open_followed_input(arguments);
+  if (arguments.is_open_ended()) return open_followed_input(arguments);
   TimedSequence timed = open_timed(arguments.tracking.sequence, options);
   RunInput input{std::move(timed.data), nullptr, std::move(timed.clock), {}};
   input.range = arguments.tracking.range(input.data->size());
@@ -230,7 +236,10 @@ int run(const RunArguments& arguments) {
     report.run = run_odometry(stream, options.slam.tracker, control);
     report.trajectory = to_trajectory(report.run.records);
   }
-  if (arguments.follow) report.range.end = data->size();
+  if (arguments.is_open_ended()) report.range.end = data->size();
+  if (report.run.records.empty() && report.run.signal == 0) {
+    throw InputError(data->name(), "ended before a frame came");
+  }
   report.notes.insert(report.notes.begin(), data->notes().begin(), data->notes().end());
   report.map = make_run_map(report.run, report.graph, report.trajectory, data->camera(),
                             options.map, options.slam.tracker.threads);
@@ -253,7 +262,10 @@ int run(const RunArguments& arguments) {
 
 void add_run_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<RunArguments>();
-  Command command(app, "run", "Track a sequence; write trajectory, map, plots and a report");
+  Command command(
+      app, "run",
+      "Track a sequence; write trajectory, map, plots and a report. With - as the dataset, pairs "
+      "of images are named on standard input, lines 'stamp file stamp file'");
   arguments->tracking.add_to(command);
   command
       .add("--mode", &arguments->mode,

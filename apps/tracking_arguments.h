@@ -62,6 +62,8 @@ struct DatasetArguments {
   /// Declares them on a subcommand. The folder is the first positional argument.
   void add_to(Command& command);
 
+  /// True if the images are named on standard input.
+  [[nodiscard]] bool is_pipe() const { return dataset == "-"; }
   /// Returns the depth offset if --depth-offset is a number [s]. Throws OptionError if it is none
   /// of the words.
   [[nodiscard]] std::optional<double> given_depth_offset() const;

@@ -6,6 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/core/saved_state.h"
+
 namespace cvo_slam {
 namespace {
 
@@ -40,6 +43,15 @@ Window make_window(const PoseGraph& graph, const std::unordered_set<std::size_t>
 
 }  // namespace
 
+// SavedState finds these by their arguments, which it would not in a namespace without a name.
+static void exchange(SavedState& state, PoseGraphNode& node) {
+  state(node.id, node.T_world_node, node.fixed);
+}
+
+static void exchange(SavedState& state, PoseGraphEdge& edge) {
+  state(edge.from, edge.to, edge.T_from_to, edge.information, edge.kind, edge.robust);
+}
+
 PoseGraphOptimizer::PoseGraphOptimizer(const OptimizerOptions& options) : options_(options) {
   describe(options_).check();
 }
@@ -70,6 +82,18 @@ Summary PoseGraphOptimizer::optimize(OptimizationScope scope) {
   std::iota(moved_.begin(), moved_.end(), std::size_t{0});
   weights_ = summary.weights;
   return summary;
+}
+
+void PoseGraphOptimizer::exchange(SavedState& state) {
+  std::vector<PoseGraphNode> nodes = graph_.nodes();
+  std::vector<PoseGraphEdge> edges = graph_.edges();
+  state(nodes, edges, weights_);
+  if (!state.is_reading()) return;
+  graph_ = PoseGraph();
+  for (const PoseGraphNode& node : nodes) graph_.add_node(node);
+  for (const PoseGraphEdge& edge : edges) graph_.add_edge(edge);
+  if (weights_.size() != edges.size()) throw DataError("a saved state has edges without weights");
+  moved_.clear();
 }
 
 std::unordered_set<std::size_t> PoseGraphOptimizer::free_nodes_near_newest() const {

@@ -11,6 +11,8 @@
 
 namespace cvo_slam {
 
+class SavedState;
+
 /// The nodes that an optimisation may move.
 enum class OptimizationScope {
   kWindow,  ///< nodes at most OptimizerOptions::window edges from the newest; all others are held
@@ -48,6 +50,10 @@ class PoseGraphOptimizer {
   /// Indices in nodes() of the nodes whose poses the last optimisation may have changed; none after
   /// a node was removed.
   [[nodiscard]] const std::vector<std::size_t>& moved() const { return moved_; }
+
+  /// Writes the graph and the weights, or replaces them. Throws DataError if the bytes are not
+  /// those of a graph.
+  void exchange(SavedState& state);
 
  private:
   [[nodiscard]] std::unordered_set<std::size_t> free_nodes_near_newest() const;

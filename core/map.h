@@ -65,6 +65,9 @@ struct MapMemory {
   /// crc32_of() the bytes of the vocabulary that the map was made with; 0 if none was. Another
   /// one serves too: words are made of the features when the map is read.
   std::uint32_t vocabulary = 0;
+  /// All else that Slam needs to go on between the same two frames, as bytes that slam/ makes and
+  /// reads; empty in a map that only other frames add to.
+  std::string session;
 };
 
 /// A map: the poses of the keyframes, the measurements between them, and the surface they saw.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <deque>
@@ -67,8 +68,8 @@ class SavedState {
   void transfer(SE3& pose);
   void transfer(cv::Mat& image);
   void transfer(RgbdFrame& frame);
-  template <typename Scalar, int rows, int columns>
-  void transfer(Eigen::Matrix<Scalar, rows, columns>& matrix) {
+  template <typename Scalar, int rows, int columns, int options>
+  void transfer(Eigen::Matrix<Scalar, rows, columns, options>& matrix) {
     static_assert(rows != Eigen::Dynamic && columns != Eigen::Dynamic);
     transfer_bytes(matrix.data(), sizeof(Scalar) * static_cast<std::size_t>(matrix.size()));
   }
@@ -90,6 +91,10 @@ class SavedState {
     } else {
       for (Value& value : values) transfer(value);
     }
+  }
+  template <typename Value, std::size_t size>
+  void transfer(std::array<Value, size>& values) {
+    for (Value& value : values) transfer(value);
   }
   template <typename Value>
   void transfer(std::deque<Value>& values) {

@@ -10,6 +10,7 @@
 #include "cvo_slam/core/camera.h"
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/point_selection.h"
 
@@ -39,6 +40,7 @@ class ExposureGain {
   /// The image that update() was given last becomes a keyframe. If the gain has drifted from what
   /// was measured, it makes a small step towards that.
   Exposure start_keyframe();
+  void exchange(SavedState& state) { state(log_gain_, log_measured_, last_); }
 
  private:
   /// Returns the jump from last_ to next_ as a logarithm; 0 if there is none.

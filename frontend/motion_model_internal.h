@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cvo_slam/core/point_cloud.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/timestamp.h"
 
@@ -33,6 +34,7 @@ class MotionModel {
   [[nodiscard]] Vector6 velocity_to(const Timestamp& stamp, const SE3& T_world_camera) const;
   [[nodiscard]] const SE3& last_pose() const { return T_world_camera_; }
   [[nodiscard]] const Timestamp& last_stamp() const { return stamp_; }
+  void exchange(SavedState& state) { state(stamp_, T_world_camera_, started_, velocity_); }
 
  private:
   Timestamp stamp_;

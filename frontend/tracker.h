@@ -19,6 +19,8 @@
 
 namespace cvo_slam {
 
+class SavedState;
+
 /// What a frame is registered to.
 enum class Reference {
   kKeyframe,       ///< the current keyframe
@@ -203,6 +205,12 @@ class Tracker {
   /// Selects points of the frame that track() was given last as for a keyframe, with its exposure
   /// gain taken out: what relocalisation registers. Empty if its images are unusable.
   PointCloud select_keyframe_points();
+
+  /// Writes all that later frames depend on, between two calls of track(), or takes it over, so
+  /// that this object goes on bit for bit where another one with the same camera and options was.
+  /// Throws DataError if the bytes are not those of such a state; the object is not to be used
+  /// then.
+  void exchange(SavedState& state);
 
  private:
   struct Impl;

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "cvo_slam/core/exclusive_access.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/frontend/exposure_internal.h"
 #include "cvo_slam/frontend/motion_model_internal.h"
 #include "cvo_slam/frontend/tracker.h"
@@ -18,6 +19,8 @@
 #include "cvo_slam/frontend/tracking_judgement_internal.h"
 
 namespace cvo_slam {
+
+void exchange(SavedState& state, Exposure& exposure);
 
 /// A registration of the frame in work to a keyframe, with its judgement.
 struct Registered {
@@ -39,6 +42,10 @@ struct CurrentKeyframe {
   bool is_last_tracked = false;  // true until a later frame is tracked
   bool lacks_velocity = false;   // true if its points were selected without the camera's motion
   Exposure exposure;
+
+  void exchange(SavedState& state) {
+    state(frame, T_world_camera, is_last_tracked, lacks_velocity, exposure);
+  }
 };
 
 /// Keyframes are always made of the last tracked frame, whose pose is motion.last_pose().
@@ -76,6 +83,7 @@ struct Tracker::Impl {
   TrackedFrame track(const RgbdFrame& given, const StartFinder& find_start);
   FrameRecord resume(const SE3& T_world_camera);
   PointCloud select_keyframe_points();
+  void exchange(SavedState& state);
 
   void prepare(const RgbdFrame& given);
   [[nodiscard]] std::string select_points_of_frame();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/registration.h"
 
@@ -40,6 +41,7 @@ class UsualSimilarity {
   void add(double cos_theta);
   /// 1 before the first one.
   [[nodiscard]] double share(double cos_theta) const;
+  void exchange(SavedState& state) { state(mean_, count_); }
 
  private:
   double mean_ = 0;

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/frontend/tracker.h"
@@ -33,6 +34,7 @@ class KeyframePolicy {
   /// Returns why a tracked frame shall become a keyframe: "overlap", "translation" or "rotation";
   /// empty if it need not. `visible` is the share of its points that lie in the keyframe's image.
   [[nodiscard]] std::string reason(const RegistrationResult& result, double visible);
+  void exchange(SavedState& state) { state(expected_overlap_); }
 
  private:
   KeyframeOptions options_;

@@ -94,4 +94,38 @@ class FollowedDataset final : public Dataset, public FrameSource {
   std::optional<Clock::time_point> first_try_;  // to read the next frame
 };
 
+/// Frames whose images are named on a pipe, a line each: "stamp file stamp file", the colour image
+/// first or the depth image, as in associations.txt. next() waits for a line, and returns its
+/// frame. As a Dataset it holds the frames that next() has returned, as long as their files are
+/// there.
+///
+///     recorder | program        # 12.033 /data/7.png 12.031 /data/7_depth.png
+class PipedDataset final : public Dataset, public FrameSource {
+ public:
+  /// Reads lines from a file descriptor, 0 for standard input, which is not closed. `stop` is asked
+  /// about twenty times a second while waiting; true ends the sequence at once. Throws OptionError
+  /// if the options give no camera, or associations.
+  PipedDataset(int descriptor, const DatasetOptions& options, std::function<bool()> stop = {});
+  ~PipedDataset() override;
+
+  /// Throws InputError for a line that is none, or has a stamp that is not above the one before.
+  [[nodiscard]] std::optional<RgbdFrame> next() override;
+
+  [[nodiscard]] const std::string& name() const override;
+  [[nodiscard]] const std::string& kind() const override;
+  [[nodiscard]] const Camera& camera() const override;
+  [[nodiscard]] const std::string& camera_origin() const override;
+  [[nodiscard]] std::size_t size() const override;
+  [[nodiscard]] RgbdFrame read(std::size_t index) const override;
+  [[nodiscard]] Timestamp stamp(std::size_t index) const override;
+  [[nodiscard]] Timestamp depth_stamp(std::size_t index) const override;
+  [[nodiscard]] UnpairedImages unpaired() const override { return {}; }
+  [[nodiscard]] const std::vector<StampedPose>& reference() const override;
+  [[nodiscard]] const std::vector<std::string>& notes() const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 }  // namespace cvo_slam

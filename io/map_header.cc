@@ -112,7 +112,8 @@ void MapHeader::check_small_files(const fs::path& folder) const {
   const YamlValue& files = root_.require("files", "the files of the map");
   for (const auto& [name, entry] : files.map("files")) {
     if (name.find('/') != std::string::npos) entry.fail(name + ": is no file of the map's folder");
-    if (name == kBlobFile || name == kSurfaceFile || name == kTableFile) continue;
+    if (name == kBlobFile || name == kSurfaceFile || name == kTableFile || name == kSessionFile)
+      continue;
     static_cast<void>(read_checked(folder, name));
   }
 }

@@ -24,6 +24,7 @@ inline constexpr const char* kCameraFile = "camera.yaml";
 inline constexpr const char* kTableFile = "keyframes.csv";
 inline constexpr const char* kBlobFile = "keyframes.bin";
 inline constexpr const char* kSurfaceFile = "surface.bin";
+inline constexpr const char* kSessionFile = "session.bin";
 ///@}
 
 /// A file that is read in pieces, and its checksum on the way, so that a large one need not be in

@@ -126,6 +126,7 @@ void write_memory(const fs::path& folder, const MapMemory& memory) {
   }
   write_file(folder / kTableFile, table);
   write_file(folder / kBlobFile, blob);
+  if (!memory.session.empty()) write_file(folder / kSessionFile, memory.session);
 }
 
 MapMemory read_memory(const fs::path& folder, const MapHeader& header) {
@@ -154,6 +155,7 @@ MapMemory read_memory(const fs::path& folder, const MapHeader& header) {
   }
   if (blob.left() > 0) throw InputError(folder / kBlobFile, "is longer than keyframes.csv says");
   blob.finish();
+  if (header.has(kSessionFile)) memory.session = header.read_checked(folder, kSessionFile);
   return memory;
 }
 

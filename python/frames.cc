@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/io/dataset.h"
+#include "cvo_slam/io/followed_dataset.h"
 #include "cvo_slam/python/arrays_internal.h"
 #include "cvo_slam/python/bindings_internal.h"
 #include "cvo_slam/python/next_frame_internal.h"
@@ -37,6 +41,45 @@ std::unique_ptr<Dataset> open(const std::filesystem::path& folder,
                                .max_stamp_difference = max_stamp_difference,
                                .associations = associations,
                                .depth_offset = depth_offset});
+}
+
+/// True if the user has pressed Ctrl-C; Python's exception is set then.
+bool is_interrupted() {
+  const py::gil_scoped_acquire acquire;
+  return PyErr_CheckSignals() != 0;
+}
+
+/// Calls a function that waits in a followed folder, with the interpreter free for other threads.
+template <typename Function>
+auto waiting(const Function& function) {
+  try {
+    const py::gil_scoped_release release;
+    return function();
+  } catch (const InputError&) {
+    if (PyErr_Occurred() == nullptr) throw;
+    throw py::error_already_set();
+  }
+}
+
+std::unique_ptr<FollowedDataset> follow(const std::filesystem::path& folder, double end_after,
+                                        const std::optional<Camera>& camera,
+                                        double max_stamp_difference,
+                                        const std::optional<double>& depth_offset) {
+  return waiting([&] {
+    return std::make_unique<FollowedDataset>(
+        folder,
+        DatasetOptions{.camera = camera,
+                       .max_stamp_difference = max_stamp_difference,
+                       .depth_offset = depth_offset},
+        FollowOptions{.end_after = end_after, .stop = is_interrupted});
+  });
+}
+
+RgbdFrame next_of(FollowedDataset& frames) {
+  auto frame = waiting([&] { return frames.next(); });
+  if (frame) return *std::move(frame);
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+  throw py::stop_iteration();
 }
 
 /// The index of a frame, from the end if it is negative.
@@ -128,6 +171,13 @@ void bind_frames(py::module_& module) {
                            self.kind(), self.camera().name);
       });
 
+  py::class_<FollowedDataset, Dataset>(
+      module, "FollowedDataset",
+      "A recording that is still being written: iteration waits for its frames and ends when "
+      "nothing has changed for a while. len() and [i] are those returned so far.")
+      .def("__iter__", [](const py::object& self) { return self; })
+      .def("__next__", &next_of);
+
   module.def("open_dataset", &open, py::arg("folder"), py::kw_only(),
              py::arg("camera") = py::none(), py::arg("associations") = py::none(),
              py::arg("max_stamp_difference") = DatasetOptions().max_stamp_difference,
@@ -136,6 +186,13 @@ void bind_frames(py::module_& module) {
              "camera: a Camera in place of the recording's own; associations: a file that pairs "
              "the images; max_stamp_difference [s] of a pair; depth_offset: what is added to depth "
              "stamps [s].");
+  module.def("follow_dataset", &follow, py::arg("folder"), py::kw_only(),
+             py::arg("end_after") = FollowOptions().end_after, py::arg("camera") = py::none(),
+             py::arg("max_stamp_difference") = DatasetOptions().max_stamp_difference,
+             py::arg("depth_offset") = py::none(),
+             "Follows a folder that a recorder writes to, and waits until there is something in "
+             "it.\n\nend_after: the recording has ended when nothing has changed for so long [s]; "
+             "the others as in open_dataset(). Ctrl-C ends the waiting.");
 }
 
 }  // namespace cvo_slam::python

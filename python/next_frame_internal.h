@@ -29,6 +29,9 @@ namespace cvo_slam::python {
 /// Numbers frames that are given as arrays, from 0.
 class NextFrame {
  public:
+  NextFrame() = default;
+  explicit NextFrame(std::size_t index) : index_(index) {}
+
   /// Tracks a frame with the interpreter free for other threads. The next frame follows it,
   /// whatever is thrown.
   template <typename Track>

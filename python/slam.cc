@@ -113,16 +113,23 @@ void bind_slam(py::module_& module) {
            }),
            py::arg("camera"), py::arg("options") = SlamOptions(),
            py::arg("vocabulary") = std::shared_ptr<Vocabulary>())
-      .def(py::init([](const Map& map, const SlamOptions& options, bool localize,
+      .def(py::init([](const Map& map, const SlamOptions& options, bool localize, bool resume,
                        const std::shared_ptr<Vocabulary>& vocabulary) {
+             if (localize && resume) throw OptionError("either localize or resume can be True");
              const py::gil_scoped_release release;
-             const MapUse use = localize ? MapUse::kLocalize : MapUse::kExtend;
-             return PySlam{Slam(map, options, use, vocabulary), {}};
+             const MapUse use = localize ? MapUse::kLocalize
+                                : resume ? MapUse::kResume
+                                         : MapUse::kExtend;
+             Slam slam(map, options, use, vocabulary);
+             const NextFrame next(slam.next_index());
+             return PySlam{std::move(slam), next};
            }),
            py::arg("map"), py::arg("options") = SlamOptions(), py::kw_only(),
-           py::arg("localize") = false, py::arg("vocabulary") = std::shared_ptr<Vocabulary>(),
+           py::arg("localize") = false, py::arg("resume") = false,
+           py::arg("vocabulary") = std::shared_ptr<Vocabulary>(),
            "Goes on from a map with memory. With localize, the map stays as it is and frames are "
-           "located in it.")
+           "located in it. With resume, tracking goes on bit for bit where map(session=True) was "
+           "called, if options and vocabulary are the same.")
       .def("track", &PySlam::track, py::arg("frame"),
            "Tracks the next frame and returns its FrameRecord. Bad images do not raise: the record "
            "says that the frame is lost, and why.")
@@ -134,6 +141,25 @@ void bind_slam(py::module_& module) {
           },
           py::arg("rgb"), py::arg("depth"), py::arg("stamp"), py::arg("depth_stamp") = py::none(),
           "The same for the images of RgbdFrame; stamps in seconds.")
+      .def(
+          "track",
+          [](PySlam& self, const py::array& rgb,
+             const std::vector<std::pair<py::array, double>>& depths, double stamp) {
+            if (depths.empty()) throw DataError("track() needs a depth image to choose from");
+            const RgbdFrame frame = self.next.frame(rgb, depths[0].first, stamp, std::nullopt);
+            std::vector<DepthImage> images;
+            for (const auto& [depth, depth_stamp] : depths) {
+              images.push_back({depth_image_from(depth), stamp_from(depth_stamp, "depth_stamp")});
+            }
+            return self.next.track(frame,
+                                   [&](const RgbdFrame& f) { return self.slam.track(f, images); });
+          },
+          py::arg("rgb"), py::arg("depths"), py::arg("stamp"),
+          "The same with the nearest of several depth images, pairs of an array and its stamp [s], "
+          "say the one before and the one after: Camera.depth_offset is added to their stamps.")
+      .def_property_readonly(
+          "next_index", [](const PySlam& self) { return self.slam.next_index(); },
+          "The least RgbdFrame.index that track() takes next.")
       .def(
           "finish", [](PySlam& self) { self.slam.finish(); },
           py::call_guard<py::gil_scoped_release>(),
@@ -176,8 +202,14 @@ void bind_slam(py::module_& module) {
           "The path of the camera: 'final', as the graph has it now, or 'online', as track() "
           "answered.")
       .def(
-          "map", [](const PySlam& self) { return self.slam.map(); },
-          "The map, to be written and gone on from; without points of its surface.")
+          "map",
+          [](const PySlam& self, bool session) {
+            const py::gil_scoped_release release;
+            return self.slam.map(session ? MapContent::kSession : MapContent::kKeyframes);
+          },
+          py::kw_only(), py::arg("session") = false,
+          "The map, to be written and gone on from; without points of its surface. With session, "
+          "Slam(map, resume=True) goes on bit for bit between the same two frames.")
       .def(
           "pose_graph", [](const PySlam& self) { return self.slam.pose_graph(); },
           "A copy of the graph of the keyframes.")

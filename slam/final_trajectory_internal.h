@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/timestamp.h"
 #include "cvo_slam/core/trajectory.h"
@@ -27,6 +28,11 @@ struct TrackedPose {
   SE3 T_keyframe_camera;
   SE3 T_world_camera_online;  ///< as track() answered
   int submap_online = 0;      ///< as track() answered
+
+  void exchange(SavedState& state) {
+    state(frame, stamp, status, reason, tracked_submap, keyframe, T_keyframe_camera,
+          T_world_camera_online, submap_online);
+  }
 };
 
 /// The frames of a sequence, in ascending order, and which of them are keyframes.
@@ -46,6 +52,7 @@ class FrameHistory {
   [[nodiscard]] const std::deque<TrackedPose>& frames() const { return frames_; }
   /// The keyframe after a frame, if it was tracked against the same keyframe; otherwise null.
   [[nodiscard]] const TrackedPose* next_keyframe(const TrackedPose& frame) const;
+  void exchange(SavedState& state) { state(frames_, keyframes_); }
 
  private:
   std::deque<TrackedPose> frames_;

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/slam/keyframes_internal.h"
 
 namespace cvo_slam {
@@ -42,6 +44,21 @@ void KeyframeStore::remove(std::size_t position, const Substitute& substitute) {
 const Substitute* KeyframeStore::substitute_for(std::size_t number) const {
   const auto substitute = substitutes_.find(number);
   return substitute == substitutes_.end() ? nullptr : &substitute->second;
+}
+
+void KeyframeStore::exchange(SavedState& state) {
+  std::map<std::size_t, Substitute> sorted(substitutes_.begin(), substitutes_.end());
+  state(sorted);
+  substitutes_ = {sorted.begin(), sorted.end()};
+  for (const auto& [first, substitute] : sorted) {
+    std::size_t number = first;
+    for (std::size_t steps = 0; steps <= sorted.size() && sorted.contains(number); ++steps) {
+      number = sorted.at(number).number;
+    }
+    if (has(first) || !has(number)) {
+      throw DataError("a saved state does not belong to the keyframes of its map");
+    }
+  }
 }
 
 }  // namespace cvo_slam

@@ -8,6 +8,7 @@
 
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/timestamp.h"
 #include "cvo_slam/slam/compact_cloud_internal.h"
@@ -35,6 +36,8 @@ struct StoredKeyframe {
 struct Substitute {
   std::size_t number = 0;  ///< of the keyframe that does
   SE3 T_substitute_keyframe;
+
+  void exchange(SavedState& state) { state(number, T_substitute_keyframe); }
 };
 
 /// The keyframes of the map in the order in which they were added. A keyframe's position here is
@@ -54,11 +57,14 @@ class KeyframeStore {
   [[nodiscard]] const StoredKeyframe& newest() const { return keyframes_.back(); }
   /// The position of a keyframe that is in the store.
   [[nodiscard]] std::size_t position_of(std::size_t number) const { return positions_.at(number); }
+  [[nodiscard]] bool has(std::size_t number) const { return positions_.contains(number); }
   /// What stands in for a keyframe that was removed, which may have been removed since; null for
   /// any other number.
   [[nodiscard]] const Substitute* substitute_for(std::size_t number) const;
   /// Memory of the keyframes and their points [bytes].
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  /// What stands in for those that were removed.
+  void exchange(SavedState& state);
 
  private:
   std::vector<StoredKeyframe> keyframes_;

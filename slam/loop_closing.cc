@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/loop/vocabulary.h"
@@ -72,6 +74,29 @@ std::string LoopClosing::features_of(std::size_t number) const {
 
 std::uint32_t LoopClosing::vocabulary_checksum() const {
   return crc32_of(vocabulary_bytes(detector_.vocabulary()));
+}
+
+void LoopClosing::exchange(SavedState& state, const std::vector<KeyframeMemory>& keyframes) {
+  std::map<std::size_t, std::size_t> places(places_.begin(), places_.end());
+  std::size_t size = detector_.size();
+  state(places, size);
+  if (!state.is_reading()) return;
+  std::size_t entered = 0;
+  for (const KeyframeMemory& keyframe : keyframes) {
+    const auto place = places.find(keyframe.number);
+    if (place == places.end()) continue;
+    if (place->second < detector_.size() || place->second >= size) break;
+    // Keyframes that were removed leave their places.
+    while (detector_.size() < place->second) {
+      detector_.add(std::make_shared<const Appearance>());
+      detector_.remove(detector_.size() - 1);
+    }
+    restore(keyframe.number, keyframe.features);
+    ++entered;
+  }
+  if (entered != places.size()) {
+    throw DataError("a saved state does not belong to the keyframes of its map");
+  }
 }
 
 std::vector<LoopMatch> LoopClosing::recognize(const RgbdFrame& images, const PointCloud& cloud) {

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "cvo_slam/core/camera.h"
+#include "cvo_slam/core/map.h"
 #include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/loop/loop_detector.h"
 #include "cvo_slam/slam/appearance_cache_internal.h"
 #include "cvo_slam/slam/graph_prior_internal.h"
@@ -59,6 +61,9 @@ class LoopClosing {
   /// The features of a keyframe, as bytes.
   [[nodiscard]] std::string features_of(std::size_t number) const;
   [[nodiscard]] std::uint32_t vocabulary_checksum() const;
+  /// Writes where the detector has the keyframes, or enters `keyframes`, of which nothing was
+  /// entered yet, there.
+  void exchange(SavedState& state, const std::vector<KeyframeMemory>& keyframes);
 
   /// The earlier keyframes that the newest one, with these images, seems to show, with those that
   /// verification rejected, for loops.csv. Enters the image into the index and keeps the cloud as

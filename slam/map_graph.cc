@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/core/pose_graph.h"
 #include "cvo_slam/slam/keyframes_internal.h"
 #include "cvo_slam/slam/map_graph_internal.h"
@@ -115,6 +116,13 @@ bool MapGraph::is_known(std::size_t position, const InheritedEdge& edge) const {
     const bool is_believed = optimizer_.weights()[i] >= 0.5;
     return leads_there && is_believed && rank(graph().edges()[i].kind) <= rank(edge.kind);
   });
+}
+
+void MapGraph::exchange(SavedState& state) {
+  state(optimizer_, notes_);
+  if (notes_.size() != graph().edges().size()) {
+    throw DataError("a saved state has edges without covariances");
+  }
 }
 
 }  // namespace cvo_slam

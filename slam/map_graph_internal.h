@@ -8,6 +8,7 @@
 
 #include "cvo_slam/backend/pose_graph_optimizer.h"
 #include "cvo_slam/core/pose_graph.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/slam/pair_registration_internal.h"
 
 namespace cvo_slam {
@@ -16,6 +17,8 @@ namespace cvo_slam {
 struct EdgeCovariances {
   Matrix6 from_to = Matrix6::Zero();  ///< of T_from_to
   Matrix6 to_from = Matrix6::Zero();  ///< of T_from_to^-1
+
+  void exchange(SavedState& state) { state(from_to, to_from); }
 };
 
 /// The covariance of a right perturbation in another frame: Ad(T) covariance Ad(T)^T.
@@ -55,12 +58,15 @@ class MapGraph {
   Summary optimize(OptimizationScope scope) { return optimizer_.optimize(scope); }
   /// Positions of the keyframes whose poses the last optimisation may have changed.
   [[nodiscard]] const std::vector<std::size_t>& moved() const { return optimizer_.moved(); }
+  void exchange(SavedState& state);
 
  private:
   /// What the graph does not know of an edge.
   struct EdgeNotes {
     EdgeCovariances covariances;
     std::optional<std::size_t> row;
+
+    void exchange(SavedState& state) { state(covariances, row); }
   };
 
   /// An edge as the other end of another edge of the same node inherits it.

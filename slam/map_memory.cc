@@ -25,6 +25,11 @@ Map to_map(const MapState& state, const LoopClosing* loops, const Camera& camera
   return map;
 }
 
+StoredKeyframe to_stored_keyframe(const KeyframeMemory& keyframe) {
+  return {keyframe.number, keyframe.stamp, keyframe.submap,
+          CompactCloud::from_bytes(keyframe.points)};
+}
+
 void restore(const Map& map, MapState& state, LoopClosing* loops) {
   if (!map.memory) {
     throw DataError(
@@ -48,8 +53,7 @@ void restore(const Map& map, MapState& state, LoopClosing* loops) {
           "the map was made without place recognition, so that nothing can be recognised in it; "
           "make it with loops.enabled (mode slam), or switch that off");
     }
-    state.keyframes.add({keyframe.number, keyframe.stamp, keyframe.submap,
-                         CompactCloud::from_bytes(keyframe.points)});
+    state.keyframes.add(to_stored_keyframe(keyframe));
     state.graph.add_keyframe(keyframe.number, nodes[i].T_world_node);
     if (loops != nullptr) loops->restore(keyframe.number, keyframe.features);
   }

@@ -13,6 +13,9 @@ namespace cvo_slam {
 /// recognised. Links between submaps that wait for others to agree are left out.
 [[nodiscard]] Map to_map(const MapState& state, const LoopClosing* loops, const Camera& camera);
 
+/// Returns a keyframe as the store has it. Throws DataError if its points are damaged.
+[[nodiscard]] StoredKeyframe to_stored_keyframe(const KeyframeMemory& keyframe);
+
 /// Adds the keyframes and edges of a map to a state without any. Throws DataError if the map has no
 /// memory, or its parts do not belong together.
 void restore(const Map& map, MapState& state, LoopClosing* loops);

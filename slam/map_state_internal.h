@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/slam/keyframes_internal.h"
 #include "cvo_slam/slam/map_graph_internal.h"
@@ -20,6 +21,8 @@ struct Gap {
   std::size_t to = 0;    ///< position of the first keyframe
   SE3 T_from_to;
   EdgeCovariances covariances;
+
+  void exchange(SavedState& state) { state(from, to, T_from_to, covariances); }
 };
 
 /// Mean of cos_theta over the registrations of consecutive keyframes: what is usual in this scene.
@@ -28,12 +31,15 @@ struct UsualCosTheta {
   std::size_t count = 0;
 
   [[nodiscard]] double mean() const { return count == 0 ? 0 : sum / static_cast<double>(count); }
+  void exchange(SavedState& state) { state(sum, count); }
 };
 
 /// Where the map has a keyframe.
 struct CorrectedPose {
   SE3 T_world_camera;
   int submap = 0;  ///< name of the joined submaps that it belongs to
+
+  void exchange(SavedState& state) { state(T_world_camera, submap); }
 };
 
 /// All that the stages of mapping read. The mapper alone changes it.
@@ -58,6 +64,8 @@ struct MapState {
   /// Where a keyframe is, given by its number, also if another one stands in for it; none if the
   /// map never had it.
   [[nodiscard]] std::optional<CorrectedPose> place_of(std::size_t number) const;
+  /// All but the keyframes, which are there.
+  void exchange(SavedState& state);
 };
 
 }  // namespace cvo_slam

@@ -300,6 +300,11 @@ std::optional<RecognizedPose> Mapper::relocalize(const RgbdFrame& images, const 
 void Mapper::restore(const Map& map) {
   LoopClosing* const loops = loop_closing_ ? &*loop_closing_ : nullptr;
   cvo_slam::restore(map, map_, loops);
+  index_keyframes();
+}
+
+/// Enters all keyframes where they are now.
+void Mapper::index_keyframes() {
   for (std::size_t i = 0; i < map_.keyframes.size(); ++i) {
     proximity_.set(i, map_.graph.pose(i).translation(), map_.keyframes[i].reach);
   }

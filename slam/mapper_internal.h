@@ -65,6 +65,9 @@ class Mapper {
   /// Takes over the keyframes and edges of another map, before any of its own. Throws DataError if
   /// its parts do not belong together.
   void restore(const Map& map);
+  /// Writes all that later keyframes depend on besides to_map(), or takes it over together with
+  /// that map, before any keyframe. Throws DataError if the two do not belong together.
+  void exchange(SavedState& state, const Map& map);
   /// Returns the map as a value.
   [[nodiscard]] Map to_map() const;
   /// Registers a camera's points to the keyframe that sees most of the same, and leaves the map as
@@ -85,6 +88,7 @@ class Mapper {
 
  private:
   void add_keyframe(const KeyframeInput& keyframe);
+  void index_keyframes();
   [[nodiscard]] SE3 start_after_gap(const KeyframeInput& keyframe);
   void connect_near_keyframes(PathSearch& paths);
   bool close_loops(const KeyframeInput& keyframe, PathSearch& paths);

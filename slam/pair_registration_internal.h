@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cvo_slam/core/point_cloud.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/slam/slam_options.h"
@@ -31,6 +32,8 @@ struct PairPrior {
 struct PairMeasurement {
   SE3 T_older_newer;
   Matrix6 covariance = Matrix6::Identity();  ///< of a right perturbation
+
+  void exchange(SavedState& state) { state(T_older_newer, covariance); }
 };
 
 /// The result of registering a pair: a measurement, or the reason why there is none. Figures that

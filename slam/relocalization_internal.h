@@ -8,6 +8,7 @@
 
 #include "cvo_slam/core/point_cloud.h"
 #include "cvo_slam/core/rgbd_frame.h"
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/core/timestamp.h"
 #include "cvo_slam/slam/loop_candidate.h"
@@ -24,6 +25,8 @@ struct RecognizedPose {
   /// Index of its row: in Relocalization::rows; in what Mapper::relocalize() returns, in
   /// Mapper::candidates().
   std::size_t row = 0;
+
+  void exchange(SavedState& state) { state(keyframe, measurement, T_world_camera, submap, row); }
 };
 
 /// What the map says of a lost image.
@@ -52,12 +55,15 @@ class PoseConsensus {
   void clear() { observations_.clear(); }
   /// Number of frames that agree now.
   [[nodiscard]] int count() const { return static_cast<int>(observations_.size()); }
+  void exchange(SavedState& state) { state(observations_); }
 
  private:
   struct Observation {
     Timestamp stamp;
     int submap = 0;
     SE3 T_world_camera;
+
+    void exchange(SavedState& state) { state(stamp, submap, T_world_camera); }
   };
   [[nodiscard]] bool agree(const Observation& a, const Observation& b, double longest) const;
 

@@ -3,23 +3,16 @@
 #include "cvo_slam/slam/slam.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <exception>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cvo_slam/core/error.h"
-#include "cvo_slam/core/exclusive_access.h"
-#include "cvo_slam/slam/feature_start_internal.h"
-#include "cvo_slam/slam/final_trajectory_internal.h"
-#include "cvo_slam/slam/job_queue_internal.h"
-#include "cvo_slam/slam/mapper_internal.h"
+#include "cvo_slam/slam/slam_impl_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -31,19 +24,6 @@ SlamOptions checked(SlamOptions options) {
   restart_frames = std::max(restart_frames, options.loops.relocalization.frames + 1);
   return options;
 }
-
-/// What the map says after it has taken in a keyframe.
-struct MapUpdate {
-  CorrectedPose newest;
-  std::vector<Keyframe> moved;  // empty if nobody asks
-};
-
-/// A keyframe handed to the mapper, done or not, whose correction is not applied yet.
-struct SubmittedKeyframe {
-  int tracked_submap = 0;
-  SE3 T_world_camera_tracked;
-  std::shared_ptr<MapUpdate> update;  // written by the job
-};
 
 Keyframe keyframe_at(const MapState& map, std::size_t position) {
   const StoredKeyframe& keyframe = map.keyframes[position];
@@ -69,67 +49,21 @@ void notify(const Function& function, const Value& value, std::exception_ptr& th
   }
 }
 
-/// Where the map has a tracked submap.
-struct Correction {
-  int submap = 0;
-  SE3 T_corrected_tracked;
-};
-
 }  // namespace
 
-struct Slam::Impl {
-  Impl(const Camera& camera, const SlamOptions& options_in,
-       const std::shared_ptr<const Vocabulary>& vocabulary)
-      : options(checked(options_in)),
-        depth_offset(camera.depth_offset.value_or(0)),
-        tracker(camera, options.tracker),
-        consensus(options.loops.relocalization.frames, options.tracker.lost.max_speed,
-                  options.tracker.lost.max_angular_speed),
-        mapper(camera, options, vocabulary),
-        jobs(options.schedule) {
-    if (auto* const appearances = mapper.appearances()) {
-      start.emplace(camera, options.loops.detection.verification, *appearances);
-    }
+Slam::Impl::Impl(const Camera& camera, const SlamOptions& options_in,
+                 const std::shared_ptr<const Vocabulary>& vocabulary)
+    : options(checked(options_in)),
+      depth_offset(camera.depth_offset.value_or(0)),
+      tracker(camera, options.tracker),
+      consensus(options.loops.relocalization.frames, options.tracker.lost.max_speed,
+                options.tracker.lost.max_angular_speed),
+      mapper(camera, options, vocabulary),
+      jobs(options.schedule) {
+  if (auto* const appearances = mapper.appearances()) {
+    start.emplace(camera, options.loops.detection.verification, *appearances);
   }
-
-  std::atomic_flag in_use;  // see ExclusiveAccess
-  SlamOptions options;
-  double depth_offset;  // of the camera [s]
-  Tracker tracker;
-  FrameHistory history;
-  FrameRecord last_tracked_record;           // of the last tracked frame, as the tracker answered
-  PoseConsensus consensus;                   // of the frames since tracking was lost
-  std::optional<RecognizedPose> recognized;  // of the newest keyframe, before the mapper has it
-  std::optional<MapUse> map_use;             // of a map that was loaded
-  std::size_t first_number = 0;              // of a frame with the index 0
-  int first_submap = 0;                      // of the tracker's submap 0
-  SE3 T_map_last_keyframe;                   // of a camera that is located in a map
-  double path_since_located = 0;  // of its keyframes since its place there was measured [m]
-  bool is_located = false;        // since the last keyframe, or frame while it is not
-  std::deque<SubmittedKeyframe> submitted;  // in ascending order
-  std::map<int, Correction> corrections;    // by tracked submap
-  SlamObserver observer;
-  std::vector<std::vector<Keyframe>> moved;  // that the observer does not know yet
-  Mapper mapper;
-  std::optional<FeatureStart> start;  // where images may be compared by features
-  JobQueue jobs;                      // the last member: its thread ends before what it works on
-
-  FrameRecord track(RgbdFrame frame);
-  FrameRecord track_and_notify(const RgbdFrame& frame);
-  void notify_of_corrections(std::exception_ptr& thrown);
-  void load(const Map& map, MapUse use);
-  void localize(const RgbdFrame& frame, const FrameRecord& tracked);
-  [[nodiscard]] FrameRecord relocalize(const RgbdFrame& frame, const FrameRecord& lost);
-  void submit(const TrackerKeyframe& keyframe);
-  void apply_corrections(std::size_t left);
-  [[nodiscard]] FrameRecord in_map(FrameRecord record) const;
-  void finish();
-  /// The map without work under way.
-  [[nodiscard]] const MapState& finished_map() {
-    jobs.wait_until_left(0);
-    return mapper.map();
-  }
-};
+}
 
 FrameRecord Slam::Impl::track(RgbdFrame frame) {
   frame.index += first_number;
@@ -182,16 +116,6 @@ FrameRecord Slam::Impl::track_and_notify(const RgbdFrame& frame) {
 void Slam::Impl::notify_of_corrections(std::exception_ptr& thrown) {
   for (const auto& keyframes : std::exchange(moved, {})) {
     notify(observer.correction, keyframes, thrown);
-  }
-}
-
-/// Takes over a map before the first frame.
-void Slam::Impl::load(const Map& map, MapUse use) {
-  mapper.restore(map);
-  map_use = use;
-  for (const KeyframeMemory& keyframe : map.memory->keyframes) {
-    first_number = std::max(first_number, keyframe.number + 1);
-    first_submap = std::max(first_submap, keyframe.submap + 1);
   }
 }
 
@@ -352,6 +276,11 @@ FrameRecord Slam::track(const RgbdFrame& frame) {
 
 void Slam::finish() { ExclusiveAccess(impl_, "Slam")->finish(); }
 
+std::size_t Slam::next_index() const {
+  const ExclusiveAccess impl(impl_, "Slam");
+  return impl->history.empty() ? 0 : impl->history.newest().frame + 1 - impl->first_number;
+}
+
 void Slam::observe(SlamObserver observer) {
   ExclusiveAccess(impl_, "Slam")->observer = std::move(observer);
 }
@@ -379,11 +308,7 @@ std::vector<Keyframe> Slam::keyframes() const {
   return keyframes;
 }
 
-Map Slam::map() const {
-  const ExclusiveAccess impl(impl_, "Slam");
-  impl->jobs.wait_until_left(0);
-  return impl->mapper.to_map();
-}
+Map Slam::map(MapContent content) const { return ExclusiveAccess(impl_, "Slam")->map(content); }
 
 std::vector<LoopCandidate> Slam::loop_candidates() const {
   const ExclusiveAccess impl(impl_, "Slam");

@@ -34,6 +34,16 @@ enum class TrajectoryView {
 enum class MapUse {
   kExtend,    ///< frames add to it; a part that never meets it stays a submap of its own
   kLocalize,  ///< it stays as it is, and frames are located in it
+  /// Goes on between the same two frames of the same recording (MapContent::kSession).
+  kResume,
+};
+
+/// How much of a Slam object its map has.
+enum class MapContent {
+  kKeyframes,  ///< what other recordings need: keyframes with their points and features, the graph
+  /// All else, too, so that MapUse::kResume goes on bit for bit: 4 MB for the images and points of
+  /// the newest keyframe, and 0.5 kB a frame.
+  kSession,
 };
 
 /// A keyframe of the map.
@@ -95,8 +105,10 @@ class Slam {
   /// made with. Frames are numbered from 0 again. kExtend: tracking starts in a submap of its own,
   /// which is joined with the map as soon as enough keyframes say where it is. kLocalize: frames
   /// have a pose in the map (FrameRecord::localized) once some in a row agree on where the camera
-  /// is; the cost of a frame does not grow. Throws DataError if the map has no memory (Map::memory)
-  /// or its parts do not belong together, and OptionError.
+  /// is; the cost of a frame does not grow. kResume: the object answers as the one would have that
+  /// map(MapContent::kSession) was called of, bit for bit if options and vocabulary are the same;
+  /// frames are numbered on, and an observer is to be given anew. Throws DataError if the map has
+  /// no memory (Map::memory) or its parts do not belong together, and OptionError.
   explicit Slam(const Map& map, const SlamOptions& options = {}, MapUse use = MapUse::kExtend,
                 const std::shared_ptr<const Vocabulary>& vocabulary = nullptr);
   ~Slam();
@@ -117,6 +129,9 @@ class Slam {
   /// there is no depth image.
   FrameRecord track(RgbdFrame frame, const std::vector<DepthImage>& depths);
 
+  /// The least RgbdFrame::index that track() takes next.
+  [[nodiscard]] std::size_t next_index() const;
+
   /// Optimises the whole graph. May be called again; tracking may go on after it.
   void finish();
 
@@ -130,9 +145,9 @@ class Slam {
   [[nodiscard]] PoseGraph pose_graph() const;
   /// All keyframes, in the order of the nodes of pose_graph().
   [[nodiscard]] std::vector<Keyframe> keyframes() const;
-  /// The map, to be written by write_map() or given to another Slam: keyframes with their points
-  /// and features, and the graph; without the coloured surface (Map::points).
-  [[nodiscard]] Map map() const;
+  /// The map, to be written by write_map() or given to another Slam; without the coloured surface
+  /// (Map::points).
+  [[nodiscard]] Map map(MapContent content = MapContent::kKeyframes) const;
   /// Every pair that was tried, with its verdict.
   [[nodiscard]] std::vector<LoopCandidate> loop_candidates() const;
   /// How often the graph was optimised so far, and how long that took.

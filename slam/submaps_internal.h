@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/slam/pair_registration_internal.h"
 #include "cvo_slam/slam/slam_options.h"
@@ -26,6 +27,7 @@ class Submaps {
   void join(int a, int b);
   /// Forgets all joins.
   void clear() { names_.clear(); }
+  void exchange(SavedState& state) { state(names_); }
 
  private:
   std::map<int, int> names_;  // of those that do not bear their own
@@ -37,6 +39,8 @@ struct SubmapLink {
   std::size_t newer = 0;  ///< number of the keyframe that recognised it
   PairMeasurement measurement;
   std::size_t row = 0;  ///< in the list of candidates
+
+  void exchange(SavedState& state) { state(older, newer, measurement, row); }
 };
 
 /// What all links between two submaps say together.

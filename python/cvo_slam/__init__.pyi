@@ -14,6 +14,7 @@ __all__ = [
     "DataError",
     "Dataset",
     "Error",
+    "FollowedDataset",
     "FrameRecord",
     "InputError",
     "Keyframe",
@@ -40,6 +41,7 @@ __all__ = [
     "Vocabulary",
     "align",
     "ate",
+    "follow_dataset",
     "open_dataset",
     "optimize",
     "register_depth",
@@ -169,6 +171,18 @@ class Dataset:
     @property
     def notes(self) -> list[str]: ...
 
+class FollowedDataset(Dataset):
+    def __iter__(self) -> Iterator[RgbdFrame]: ...
+    def __next__(self) -> RgbdFrame: ...
+
+def follow_dataset(
+    folder: _Path,
+    *,
+    end_after: float = ...,
+    camera: Camera | None = ...,
+    max_stamp_difference: float = ...,
+    depth_offset: float | None = ...,
+) -> FollowedDataset: ...
 def open_dataset(
     folder: _Path,
     *,
@@ -433,8 +447,21 @@ class Slam(_Tracks):
         options: SlamOptions = ...,
         *,
         localize: bool = ...,
+        resume: bool = ...,
         vocabulary: Vocabulary | None = ...,
     ) -> None: ...
+    @overload
+    def track(self, frame: RgbdFrame) -> FrameRecord: ...
+    @overload
+    def track(
+        self, rgb: _Bytes, depth: _Depths, stamp: float, depth_stamp: float | None = ...
+    ) -> FrameRecord: ...
+    @overload
+    def track(
+        self, rgb: _Bytes, depths: Sequence[tuple[_Depths, float]], stamp: float
+    ) -> FrameRecord: ...
+    @property
+    def next_index(self) -> int: ...
     def finish(self) -> None: ...
     def statistics(self) -> dict[str, float]: ...
     def observe(
@@ -443,7 +470,7 @@ class Slam(_Tracks):
         correction: Callable[[list[Keyframe]], None] | None = ...,
     ) -> None: ...
     def trajectory(self, view: Literal["final", "online"] = ...) -> Trajectory: ...
-    def map(self) -> Map: ...
+    def map(self, *, session: bool = ...) -> Map: ...
     def pose_graph(self) -> PoseGraph: ...
     def keyframes(self) -> list[Keyframe]: ...
     def loop_candidates(self) -> list[LoopCandidate]: ...

@@ -78,9 +78,40 @@ TEST_F(FollowRun, ARecordingThatNeverBeginsIsOneLine) {
 }
 
 TEST_F(FollowRun, WhatNeedsTheWholeRecordingIsRefused) {
-  expect_error(run({"--follow", "--quiet", "--frames", "0:5"}), 2, "which --follow does not know");
+  expect_error(run({"--follow", "--quiet", "--frames", "0:5"}), 2,
+               "which --follow and a pipe do not know");
   expect_error(run({"--follow", "--quiet", "--depth-offset", "measure"}), 2,
                "needs a whole recording");
+}
+
+// A recorder names the images on a pipe.
+TEST_F(FollowRun, PairsFromStandardInputGiveTheSameBytes) {
+  ASSERT_EQ(run().exit_code, 0);
+  const std::string trajectory = read_text(out() / "trajectory.txt");
+  std::string pairs;
+  const auto colors = lines_of(sequence_.path() / "rgb.txt");
+  const auto depths = lines_of(sequence_.path() / "depth.txt");
+  ASSERT_EQ(colors.size(), depths.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    for (const std::string& line : {colors[i], depths[i]}) {
+      if (line.starts_with('#')) continue;
+      const std::size_t blank = line.find(' ');
+      pairs += line.substr(0, blank + 1) + (sequence_.path() / line.substr(blank + 1)).string();
+      pairs.back() = ' ';  // in place of the end of the line
+    }
+    pairs += '\n';
+  }
+  const auto input = sequence_.folder().write("pairs.txt", pairs);
+  const auto camera = (sequence_.path() / "camera.yaml").string();
+  const auto result = run_program({"run", "-", "--camera", camera, "--out", out(), "--overwrite"},
+                                  {.input = input.string()});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("waiting for frames on standard input"));
+  EXPECT_EQ(read_text(out() / "trajectory.txt"), trajectory);
+  expect_error(run_program({"run", "-", "--quiet"}), 2, "--camera");
+  expect_error(
+      run_program({"run", "-", "--quiet", "--camera", camera, "--out", out(), "--overwrite"}), 2,
+      "ended before a frame came");
 }
 
 TEST_F(FollowRun, AnInterruptEndsIt) {

@@ -27,9 +27,10 @@ struct ProgramResult {
 struct ProgramStreams {
   std::string output = {};
   std::string errors = {};
+  std::string input = "/dev/null";
 };
 
-/// Runs the built program with these arguments and waits for its end; stdin is empty.
+/// Runs the built program with these arguments and waits for its end; stdin is empty unless given.
 inline ProgramResult run_program(const std::vector<std::string>& arguments,
                                  const ProgramStreams& streams = {}) {
   const TemporaryFolder folder;
@@ -40,7 +41,7 @@ inline ProgramResult run_program(const std::vector<std::string>& arguments,
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, streams.input.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), kWrite, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), kWrite, 0600);
 

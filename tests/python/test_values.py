@@ -159,6 +159,55 @@ def test_maps_outlive_slam(
         cvo_slam.Slam(picture_map)
 
 
+def test_a_session_goes_on(data: cvo_slam.Dataset, tmp_path: Path) -> None:
+    whole, first = cvo_slam.Slam(data.camera), cvo_slam.Slam(data.camera)
+    for frame in data:
+        whole.track(frame)
+    for i in range(10):
+        first.track(data[i])
+    first.map(session=True).write(tmp_path / "map")
+    with pytest.raises(cvo_slam.DataError, match="session"):
+        cvo_slam.Slam(first.map(), resume=True)
+    with pytest.raises(cvo_slam.OptionError, match="localize or resume"):
+        cvo_slam.Slam(first.map(), localize=True, resume=True)
+    slam = cvo_slam.Slam(cvo_slam.Map.read(tmp_path / "map"), resume=True)
+    assert slam.next_index == 10
+    for i in range(10, len(data)):
+        frame = data[i]
+        assert frame.rgb is not None
+        slam.track(frame.rgb, frame.depth, frame.stamp, frame.depth_stamp)
+    for done in (whole, slam):
+        done.finish()
+    assert (slam.trajectory().poses == whole.trajectory().poses).all()
+
+
+def test_the_nearest_depth_image_is_taken(data: cvo_slam.Dataset) -> None:
+    slam, other = cvo_slam.Slam(data.camera), cvo_slam.Slam(data.camera)
+    far = np.zeros_like(data[0].depth)
+    for frame in (data[0], data[1], data[2]):
+        assert frame.rgb is not None
+        expected = slam.track(frame)
+        depths = [(far, frame.stamp - 0.02), (frame.depth, frame.depth_stamp)]
+        record = other.track(frame.rgb, depths, frame.stamp)
+        assert record.tracked and record.index == expected.index
+        assert record.T_world_camera is not None and expected.T_world_camera is not None
+        assert (record.T_world_camera == expected.T_world_camera).all()
+    with pytest.raises(cvo_slam.DataError, match="depth image"):
+        other.track(frame.rgb, [], 9.0)
+
+
+def test_a_folder_is_followed(data: cvo_slam.Dataset, recording: Path) -> None:
+    frames = cvo_slam.follow_dataset(recording, end_after=0.2)
+    first = next(frames)
+    assert first.index == 0 and len(frames) == 1
+    assert [frame.stamp for frame in frames] == list(data.stamps[1:])
+    assert len(frames) == len(data) and frames.camera.name == data.camera.name
+    with pytest.raises(StopIteration):
+        next(frames)
+    with pytest.raises(cvo_slam.InputError, match="nothing"):
+        cvo_slam.follow_dataset(recording / "nothing", end_after=0.1)
+
+
 def test_vocabulary(tmp_path: Path) -> None:
     assert cvo_slam.Vocabulary.builtin().words > 10_000
     (tmp_path / "words").write_text("none")

@@ -3,8 +3,10 @@
 //
 // Maps that outlive the Slam that made them: on exact images of a walk.
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -80,6 +82,77 @@ TEST_F(MapsOfSlam, SavedLoadedAndSavedTheyAreTheSame) {
        {"map.yaml", "graph.g2o", "edges.txt", "keyframes.csv", "keyframes.bin"}) {
     EXPECT_EQ(read_text(folder.path() / "a" / name), read_text(folder.path() / "b" / name)) << name;
   }
+}
+
+// A recorder that is switched off for the night, or a program that saves what it has now and then.
+TEST_F(MapsOfSlam, ASessionGoesOnBitForBit) {
+  SlamOptions slam_options = options();
+  slam_options.correction_delay = 1;
+  slam_options.tracker.lost = {.restart_time = 0.05, .restart_frames = 2};
+  // There and back, blinded in between, so that there are gaps, submaps and loops.
+  std::vector<RgbdFrame> walk;
+  for (std::size_t i = 0; i < 2 * kWalk; ++i) {
+    RgbdFrame frame = frames_[i < kWalk ? i : 2 * kWalk - 1 - i];
+    frame.index = i;
+    frame.stamp = Timestamp::from_seconds(static_cast<double>(i) / 30);
+    frame.depth_stamp = frame.stamp;
+    // Not by an expression, which would write into the memory that the copies share.
+    if (i >= 50 && i < 58) frame.depth = cv::Mat(frame.depth.size(), CV_16UC1, cv::Scalar(0));
+    walk.push_back(frame);
+  }
+  const auto end_of = [](Slam& slam) {
+    slam.finish();
+    const TemporaryFolder folder;
+    write_map(folder.path() / "map", slam.map(MapContent::kSession));
+    std::string bytes;
+    for (const char* name : {"graph.g2o", "edges.txt", "keyframes.bin", "session.bin"}) {
+      bytes += read_text(folder.path() / "map" / name);
+    }
+    return bytes;
+  };
+  Slam uninterrupted(small_camera(320, 240), slam_options);
+  for (const RgbdFrame& frame : walk) uninterrupted.track(frame);
+  const std::string expected = end_of(uninterrupted);
+  EXPECT_FALSE(uninterrupted.trajectory().lost.empty());
+  EXPECT_FALSE(uninterrupted.loop_candidates().empty());
+  for (const Schedule schedule : {Schedule::kInline, Schedule::kPipelined}) {
+    slam_options.schedule = schedule;
+    const TemporaryFolder folder;
+    std::optional<Slam> slam(std::in_place, small_camera(320, 240), slam_options);
+    for (const RgbdFrame& frame : walk) {
+      slam->track(frame);
+      if (frame.index % 13 != 1 && frame.index != 54) continue;
+      write_map(folder.path() / "map", slam->map(MapContent::kSession));
+      const Map map = read_map(folder.path() / "map");
+      slam.emplace(map, slam_options, MapUse::kResume);
+      EXPECT_EQ(slam->next_index(), frame.index + 1);
+      EXPECT_EQ(slam->map(MapContent::kSession).memory->session, map.memory->session);
+    }
+    EXPECT_TRUE(end_of(*slam) == expected) << "schedule " << static_cast<int>(schedule);
+  }
+}
+
+TEST_F(MapsOfSlam, ASessionNeedsTheOptionsAndTheMapThatItHad) {
+  Slam slam(small_camera(320, 240), options());
+  track(slam, 0, 12);
+  const Map map = slam.map(MapContent::kSession);
+  EXPECT_THROW(Slam(slam.map(), options(), MapUse::kResume), DataError) << "without a session";
+  SlamOptions without_loops = options();
+  without_loops.loops.enabled = false;
+  EXPECT_THROW(Slam(map, without_loops, MapUse::kResume), DataError);
+  Map other = map;
+  other.memory->keyframes.pop_back();
+  EXPECT_THROW(Slam(other, options(), MapUse::kResume), DataError);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, map.memory->session.size() / 2,
+                                 map.memory->session.size() - 1}) {
+    Map cut = map;
+    cut.memory->session.resize(size);
+    EXPECT_THROW(Slam(cut, options(), MapUse::kResume), DataError) << size;
+  }
+  Map longer = map;
+  longer.memory->session += 'x';
+  EXPECT_THROW(Slam(longer, options(), MapUse::kResume), DataError);
+  EXPECT_NO_THROW(Slam(map, options(), MapUse::kExtend)) << "another recording goes on, too";
 }
 
 TEST_F(MapsOfSlam, ASecondSessionJoinsThem) {
