@@ -105,8 +105,7 @@ std::unordered_set<std::size_t> PoseGraphOptimizer::free_nodes_near_newest() con
     for (const std::size_t node : ring) {
       for (const std::size_t edge : graph_.edges_of(node)) {
         if (weights_[edge] < 0.5) continue;  // a rejected edge leads nowhere
-        const auto [a, b] = graph_.ends()[edge];
-        const std::size_t other = a == node ? b : a;
+        const std::size_t other = graph_.other_end(edge, node);
         if (near.insert(other).second) next.push_back(other);
       }
     }

@@ -72,6 +72,12 @@ class PoseGraph {
     return edges_of_node_.at(node);
   }
 
+  /// Index in nodes() of the end of an edge that is not this node, which is one of its ends.
+  [[nodiscard]] std::size_t other_end(std::size_t edge, std::size_t node) const {
+    const auto& [from, to] = ends_.at(edge);
+    return from == node ? to : from;
+  }
+
   /// Returns true if a node has this id.
   [[nodiscard]] bool has_node(NodeId id) const { return index_.contains(id); }
   /// Returns true if an edge leads from one node to the other. Takes time in proportion to the

@@ -17,7 +17,7 @@ namespace cvo_slam {
 namespace {
 
 constexpr float kSteps = 1024;        // a metre
-constexpr float kFarthest = 1 << 30;  // [steps]
+constexpr float kFarthest = 0x1p30F;  // [steps]
 constexpr float kNormalSteps = 127;   // from the middle of the octahedron to its rim
 constexpr std::int8_t kNoNormal = -128;
 /// Points that are read together: as many as stay in the fastest memory.
@@ -103,7 +103,8 @@ void append_point(const MapPoint& point, Steps& last, std::string& bytes) {
   for (std::size_t axis = 0; axis < 3; ++axis) append_number(steps[axis] - last[axis], bytes);
   last = steps;
   const auto& [red, green, blue] = point.color;
-  const unsigned color = (red >> 3U) << 11U | (green >> 2U) << 5U | blue >> 3U;
+  const auto upper = [](unsigned value, unsigned bits) { return value >> (8 - bits); };
+  const unsigned color = upper(red, 5) << 11U | upper(green, 6) << 5U | upper(blue, 5);
   append_raw(static_cast<std::uint16_t>(color), bytes);
   std::array<std::int8_t, 2> normal = {kNoNormal, kNoNormal};
   if (!point.normal.isZero()) {

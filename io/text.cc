@@ -101,10 +101,10 @@ std::string in_quotes(std::string_view word) {
 std::vector<std::string> split_words(std::string_view line) {
   const auto is_space = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
   std::vector<std::string> words;
-  for (auto begin = line.begin();;) {
+  for (const char* begin = line.begin();;) {
     begin = std::find_if_not(begin, line.end(), is_space);
     if (begin == line.end()) return words;
-    const auto end = std::find_if(begin, line.end(), is_space);
+    const char* const end = std::find_if(begin, line.end(), is_space);
     words.emplace_back(begin, end);
     begin = end;
   }

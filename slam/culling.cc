@@ -38,11 +38,6 @@ bool may_stand_in(const MapState& map, std::size_t position, std::size_t other, 
          squared_error(graph, edge) <= kMaxError * kMaxError;
 }
 
-std::size_t other_end(const PoseGraph& graph, std::size_t edge, std::size_t position) {
-  const auto [from, to] = graph.ends()[edge];
-  return from == position ? to : from;
-}
-
 /// How far two keyframes are apart, as a share of what makes the tracker take a new one.
 double distance(const MapState& map, std::size_t a, std::size_t b, const KeyframeOptions& limits) {
   constexpr double kLeast = 1e-6;  // limits may be 0
@@ -63,7 +58,7 @@ std::optional<Removal> find_redundancy(const MapState& map, std::size_t position
   std::optional<Removal> best;
   double best_overlap = limits.min_overlap;
   for (const std::size_t edge : graph.edges_of(position)) {
-    const std::size_t other = other_end(graph, edge, position);
+    const std::size_t other = graph.other_end(edge, position);
     if (other > position || !may_stand_in(map, position, other, edge) ||
         distance(map, position, other, limits) > kNear) {
       continue;
@@ -85,7 +80,7 @@ std::optional<Removal> find_least_missed(const MapState& map, const KeyframeOpti
   for (std::size_t position = 0; position < map.keyframes.size(); ++position) {
     if (has_to_stay(map, position)) continue;
     for (const std::size_t edge : graph.edges_of(position)) {
-      const std::size_t other = other_end(graph, edge, position);
+      const std::size_t other = graph.other_end(edge, position);
       const double distance_to_other = distance(map, position, other, limits);
       if (nearest && distance_to_other >= least) continue;
       if (!may_stand_in(map, position, other, edge)) continue;

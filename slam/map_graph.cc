@@ -111,8 +111,7 @@ MapGraph::InheritedEdge MapGraph::seen_from(std::size_t position, std::size_t ed
 bool MapGraph::is_known(std::size_t position, const InheritedEdge& edge) const {
   const std::vector<std::size_t>& edges = graph().edges_of(position);
   return std::any_of(edges.begin(), edges.end(), [&](std::size_t i) {
-    const auto [from, to] = graph().ends()[i];
-    const bool leads_there = from == edge.other || to == edge.other;
+    const bool leads_there = graph().other_end(i, position) == edge.other;
     const bool is_believed = optimizer_.weights()[i] >= 0.5;
     return leads_there && is_believed && rank(graph().edges()[i].kind) <= rank(edge.kind);
   });

@@ -44,7 +44,7 @@ CorrectedPose Mapper::add(const KeyframeInput& keyframe) {
   } else if (keyframes_since_solve_ >= options_.optimize_every) {
     optimize(OptimizationScope::kWindow);
   }
-  const CorrectedPose corrected{map_.graph.pose(newest_position), map_.submap_at(newest_position)};
+  CorrectedPose corrected{map_.graph.pose(newest_position), map_.submap_at(newest_position)};
   cull_keyframes();
   return corrected;
 }

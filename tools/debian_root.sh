@@ -12,6 +12,9 @@ make_root() {
     echo "$me: needs debootstrap: apt-get install debootstrap" >&2
     exit 1
   }
+  case ${1:-} in
+    -*) echo "usage: $me [folder]" >&2; exit 2 ;;
+  esac
   keep=${1:-}
   root=${1:-$(mktemp -d)}
   trap clean_up_root EXIT

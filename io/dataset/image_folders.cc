@@ -146,6 +146,7 @@ std::vector<StampedFile> stamped(const NumberedImages& images, const ClockUnit& 
     files.emplace(*stamp, file);
   }
   std::vector<StampedFile> result;
+  result.reserve(files.size());
   for (const auto& [stamp, file] : files) result.push_back({stamp, file});
   return result;
 }
