@@ -238,7 +238,9 @@ int run(const RunArguments& arguments) {
   }
   if (arguments.is_open_ended()) report.range.end = data->size();
   if (report.run.records.empty() && report.run.signal == 0) {
-    throw InputError(data->name(), "ended before a frame came");
+    const auto& said = data->notes();
+    throw InputError(data->name(), "ended before a frame came" +
+                                       (said.empty() ? std::string() : "; " + said.back()));
   }
   report.notes.insert(report.notes.begin(), data->notes().begin(), data->notes().end());
   report.map = make_run_map(report.run, report.graph, report.trajectory, data->camera(),

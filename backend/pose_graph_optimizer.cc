@@ -91,7 +91,12 @@ void PoseGraphOptimizer::exchange(SavedState& state) {
   if (!state.is_reading()) return;
   graph_ = PoseGraph();
   for (const PoseGraphNode& node : nodes) graph_.add_node(node);
-  for (const PoseGraphEdge& edge : edges) graph_.add_edge(edge);
+  for (const PoseGraphEdge& edge : edges) {
+    if (edge.kind > EdgeKind::kLoop || edge.kind < EdgeKind::kOdometry) {
+      throw DataError("a saved state has an edge of no known kind");
+    }
+    graph_.add_edge(edge);
+  }
   if (weights_.size() != edges.size()) throw DataError("a saved state has edges without weights");
   moved_.clear();
 }

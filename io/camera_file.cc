@@ -63,7 +63,12 @@ SE3 parse_pose(const YamlValue& value, const std::string& what) {
   // Calibrations typed by hand have 4 digits or more; what is further off is not a rotation.
   constexpr double kTolerance = 1e-3;
   const Matrix3 rotation = matrix.topLeftCorner<3, 3>();
-  SE3 pose = SE3::from_matrix(matrix);
+  // One that we wrote stays as it is, so that it is the same when it is written again.
+  constexpr double kRounding = 1e-14;
+  const bool is_exact =
+      (rotation * rotation.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < kRounding &&
+      rotation.determinant() > 0;
+  SE3 pose = is_exact ? SE3(rotation, matrix.topRightCorner<3, 1>()) : SE3::from_matrix(matrix);
   if ((rotation - pose.rotation()).norm() > kTolerance ||
       matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
     value.fail(expected);

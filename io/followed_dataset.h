@@ -108,7 +108,8 @@ class PipedDataset final : public Dataset, public FrameSource {
   PipedDataset(int descriptor, const DatasetOptions& options, std::function<bool()> stop = {});
   ~PipedDataset() override;
 
-  /// Throws InputError for a line that is none, or has a stamp that is not above the one before.
+  /// A line that is none, or has a stamp that is not above the one before, is left out, with a
+  /// note. Throws InputError if the pipe cannot be read.
   [[nodiscard]] std::optional<RgbdFrame> next() override;
 
   [[nodiscard]] const std::string& name() const override;

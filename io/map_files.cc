@@ -135,7 +135,9 @@ Map read_files(const std::filesystem::path& folder, std::vector<std::string>& no
   if (header) header->check_small_files(folder);
   Map map;
   if (has(kKeyframes)) map.keyframes = read_tum(folder / kKeyframes);
-  if (has(kGraph)) map.graph = read_g2o(folder / kGraph, notes, foreign);
+  // A session may be saved before the map has a keyframe.
+  const bool has_nodes = has(kGraph) && !(header && std::filesystem::is_empty(folder / kGraph));
+  if (has_nodes) map.graph = read_g2o(folder / kGraph, notes, foreign);
   if (has(kGraph) && has(kEdges)) map.graph = with_edge_kinds(map.graph, folder / kEdges);
   if (has(kPoints)) read_points(folder / kPoints, map, notes);
   if (has(kKeyframes)) check_sizes(folder, map);

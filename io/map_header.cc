@@ -80,7 +80,8 @@ std::uint32_t MapHeader::vocabulary() const {
 
 std::pair<double, std::size_t> MapHeader::cos_theta() const {
   const auto numbers = root_.require("cos_theta", "cos_theta").numbers("cos_theta", 2);
-  return {numbers[0], static_cast<std::size_t>(std::max(0.0, numbers[1]))};
+  constexpr double kMost = 1e15;
+  return {numbers[0], static_cast<std::size_t>(std::clamp(numbers[1], 0.0, kMost))};
 }
 
 bool MapHeader::has(std::string_view name) const {

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <utility>
 
+#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -56,11 +57,12 @@ struct PipedDataset::Impl {
   std::string text;  // that was read and not used yet
   long lines = 0;
   bool has_ended = false;
-  std::optional<bool> is_depth_first;  // in all lines as in the first
+  std::optional<bool> is_depth_first;  // in all lines alike; empty = not known yet
 
   std::optional<TextLine> next_line();
   void wait_for_text();
-  FrameFiles files_of(const TextLine& line);
+  std::optional<FrameFiles> files_of(const TextLine& line);
+  void order(FrameFiles& files);
   [[nodiscard]] RgbdFrame read(std::size_t index) const;
 };
 
@@ -95,22 +97,38 @@ std::optional<TextLine> PipedDataset::Impl::next_line() {
   return std::nullopt;
 }
 
-FrameFiles PipedDataset::Impl::files_of(const TextLine& line) {
-  if (line.words.size() != 4) {
-    throw InputError(kPipe, line.number, "expected 'stamp file stamp file'");
-  }
-  FrameFiles files = {parse_stamp(line, 0, kPipe), parse_stamp(line, 2, kPipe), line.words[1],
-                      line.words[3]};
-  if (!is_depth_first) is_depth_first = is_depth_image(files.color) && !is_depth_image(files.depth);
-  if (*is_depth_first) {
-    std::swap(files.color, files.depth);
-    std::swap(files.stamp, files.depth_stamp);
-  }
-  if (!frames.empty() && files.stamp <= frames.back().stamp) {
-    throw InputError(kPipe, line.number,
-                     "the stamp is not above that of the line before; write frames in their order");
+/// The files that a line names; empty, with a note, if it names none: what came before is not lost
+/// with it.
+std::optional<FrameFiles> PipedDataset::Impl::files_of(const TextLine& line) {
+  FrameFiles files;
+  try {
+    if (line.words.size() != 4) {
+      throw InputError(kPipe, line.number, "expected 'stamp file stamp file'");
+    }
+    files = {parse_stamp(line, 0, kPipe), parse_stamp(line, 2, kPipe), line.words[1],
+             line.words[3]};
+    order(files);
+    if (!frames.empty() && files.stamp <= frames.back().stamp) {
+      throw InputError(kPipe, line.number,
+                       "the stamp is not above that of the line before; write frames in order");
+    }
+  } catch (const InputError& error) {
+    constexpr std::size_t kMostNotes = 10;
+    if (notes.size() < kMostNotes) notes.push_back(fmt::format("left out: {}", error.what()));
+    return std::nullopt;
   }
   return files;
+}
+
+/// Puts the colour image first. The two are told apart once, by a pair of which one is of depth.
+void PipedDataset::Impl::order(FrameFiles& files) {
+  if (!is_depth_first) {
+    const bool first = is_depth_image(files.color);
+    if (first != is_depth_image(files.depth)) is_depth_first = first;
+  }
+  if (!is_depth_first.value_or(false)) return;
+  std::swap(files.color, files.depth);
+  std::swap(files.stamp, files.depth_stamp);
 }
 
 RgbdFrame PipedDataset::Impl::read(std::size_t index) const {
@@ -134,10 +152,13 @@ PipedDataset::PipedDataset(int descriptor, const DatasetOptions& options,
 PipedDataset::~PipedDataset() = default;
 
 std::optional<RgbdFrame> PipedDataset::next() {
-  const auto line = impl_->next_line();
-  if (!line) return std::nullopt;
-  impl_->frames.push_back(impl_->files_of(*line));
-  return impl_->read(impl_->frames.size() - 1);
+  while (const auto line = impl_->next_line()) {
+    if (auto files = impl_->files_of(*line)) {
+      impl_->frames.push_back(std::move(*files));
+      return impl_->read(impl_->frames.size() - 1);
+    }
+  }
+  return std::nullopt;
 }
 
 const std::string& PipedDataset::name() const { return impl_->name; }

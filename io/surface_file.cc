@@ -100,7 +100,11 @@ Steps steps_of(const Eigen::Vector3f& position) {
 /// `last` is the point before, of which the position is told relative.
 void append_point(const MapPoint& point, Steps& last, std::string& bytes) {
   const Steps steps = steps_of(point.position);
-  for (std::size_t axis = 0; axis < 3; ++axis) append_number(steps[axis] - last[axis], bytes);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    append_number(static_cast<std::int32_t>(static_cast<std::uint32_t>(steps[axis]) -
+                                            static_cast<std::uint32_t>(last[axis])),
+                  bytes);
+  }
   last = steps;
   const auto& [red, green, blue] = point.color;
   const auto upper = [](unsigned value, unsigned bits) { return value >> (8 - bits); };

@@ -15,15 +15,27 @@
 namespace cvo_slam {
 namespace {
 
-constexpr float kPixelSteps = 16;   // a pixel
+constexpr float kPixelSteps = 16;   // a pixel, in images up to 4096 px
 constexpr float kAngleSteps = 256;  // a turn
 constexpr float kFullTurn = 2 * std::numbers::pi_v<float>;
 /// OrbOptions::levels allows 16; a byte counts them.
 constexpr std::size_t kMostSizes = 255;
 
-std::uint16_t pixel_code(float pixel) {
-  constexpr long kLargest = std::numeric_limits<std::uint16_t>::max();
-  return static_cast<std::uint16_t>(std::clamp(std::lround(kPixelSteps * pixel), 0L, kLargest));
+constexpr long kLargestCode = std::numeric_limits<std::uint16_t>::max();
+
+/// As many steps a pixel as two bytes have for the whole image.
+float pixel_steps_for(const OrbFeatures& features) {
+  float largest = 0;
+  for (const OrbFeature& feature : features.points) {
+    largest = std::max({largest, feature.u, feature.v});
+  }
+  float steps = kPixelSteps;
+  while (steps * largest > static_cast<float>(kLargestCode) && steps > 1) steps /= 2;
+  return steps;
+}
+
+std::uint16_t pixel_code(float pixel, float steps) {
+  return static_cast<std::uint16_t>(std::clamp(std::lround(steps * pixel), 0L, kLargestCode));
 }
 
 std::uint8_t angle_code(float angle) {
@@ -44,6 +56,7 @@ float depth_of(std::uint16_t code) {
 struct FeatureHeader {
   std::uint32_t features = 0;
   std::uint32_t sizes = 0;
+  float pixel_steps = kPixelSteps;
 };
 
 [[noreturn]] void fail_as_damaged(const std::string& what) {
@@ -52,7 +65,8 @@ struct FeatureHeader {
 
 }  // namespace
 
-CompactFeatures::CompactFeatures(const OrbFeatures& features) : descriptors_(features.descriptors) {
+CompactFeatures::CompactFeatures(const OrbFeatures& features)
+    : pixel_steps_(pixel_steps_for(features)), descriptors_(features.descriptors) {
   points_.reserve(features.size());
   for (const OrbFeature& feature : features.points) {
     auto size = std::find(sizes_.begin(), sizes_.end(), feature.size);
@@ -61,10 +75,9 @@ CompactFeatures::CompactFeatures(const OrbFeatures& features) : descriptors_(fea
     }
     const auto size_index = static_cast<std::uint8_t>(
         std::min(sizes_.size() - 1, static_cast<std::size_t>(size - sizes_.begin())));
-    points_.push_back({pixel_code(feature.u), pixel_code(feature.v), depth_code(feature.depth),
-                       angle_code(feature.angle), size_index});
+    points_.push_back({pixel_code(feature.u, pixel_steps_), pixel_code(feature.v, pixel_steps_),
+                       depth_code(feature.depth), angle_code(feature.angle), size_index});
   }
-  sizes_.shrink_to_fit();
 }
 
 OrbFeatures CompactFeatures::features(const PinholeCamera& camera) const {
@@ -73,8 +86,8 @@ OrbFeatures CompactFeatures::features(const PinholeCamera& camera) const {
   features.points.reserve(points_.size());
   for (const Point& point : points_) {
     OrbFeature& feature = features.points.emplace_back();
-    feature.u = static_cast<float>(point.u) / kPixelSteps;
-    feature.v = static_cast<float>(point.v) / kPixelSteps;
+    feature.u = static_cast<float>(point.u) / pixel_steps_;
+    feature.v = static_cast<float>(point.v) / pixel_steps_;
     const Vector3 ray = camera.unproject({feature.u, feature.v});
     feature.x = static_cast<float>(ray.x());
     feature.y = static_cast<float>(ray.y());
@@ -86,13 +99,13 @@ OrbFeatures CompactFeatures::features(const PinholeCamera& camera) const {
 }
 
 std::size_t CompactFeatures::bytes() const {
-  return sizeof(CompactFeatures) + sizes_.capacity() * sizeof(float) +
-         points_.capacity() * sizeof(Point) + descriptors_.capacity() * sizeof(Descriptor);
+  return sizeof(CompactFeatures) + sizes_.size() * sizeof(float) + points_.size() * sizeof(Point) +
+         descriptors_.size() * sizeof(Descriptor);
 }
 
 std::string CompactFeatures::to_bytes() const {
   const FeatureHeader header = {static_cast<std::uint32_t>(points_.size()),
-                                static_cast<std::uint32_t>(sizes_.size())};
+                                static_cast<std::uint32_t>(sizes_.size()), pixel_steps_};
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof(header));
   bytes.append(reinterpret_cast<const char*>(sizes_.data()), sizes_.size() * sizeof(float));
   bytes.append(reinterpret_cast<const char*>(points_.data()), points_.size() * sizeof(Point));
@@ -113,13 +126,17 @@ CompactFeatures CompactFeatures::from_bytes(std::string_view bytes) {
     fail_as_damaged(fmt::format("{} bytes, expected {}", bytes.size(), expected));
   }
   CompactFeatures result;
+  result.pixel_steps_ = header.pixel_steps;
   result.sizes_.resize(header.sizes);
   result.points_.resize(header.features);
   const char* next = bytes.data() + sizeof(header);
-  std::memcpy(result.sizes_.data(), next, header.sizes * sizeof(float));
-  next += header.sizes * sizeof(float);
-  std::memcpy(result.points_.data(), next, header.features * sizeof(Point));
-  next += header.features * sizeof(Point);
+  const auto take = [&next](auto& values) {
+    const std::size_t size = values.size() * sizeof(values[0]);
+    if (size > 0) std::memcpy(values.data(), next, size);
+    next += size;
+  };
+  take(result.sizes_);
+  take(result.points_);
   result.descriptors_.reserve(header.features);
   for (std::size_t i = 0; i < header.features; ++i, next += Descriptor::kBytes) {
     DescriptorBytes row;
@@ -131,9 +148,10 @@ CompactFeatures CompactFeatures::from_bytes(std::string_view bytes) {
     const float depth = depth_of(point.depth);
     return depth >= 0 && std::isfinite(depth) && point.size < header.sizes;
   };
-  if (!std::all_of(result.sizes_.begin(), result.sizes_.end(), is_size) ||
+  if (!(header.pixel_steps >= 1 && header.pixel_steps <= kPixelSteps) ||
+      !std::all_of(result.sizes_.begin(), result.sizes_.end(), is_size) ||
       !std::all_of(result.points_.begin(), result.points_.end(), is_possible)) {
-    fail_as_damaged("one has no possible depth or size");
+    fail_as_damaged("one has no possible place, depth or size");
   }
   return result;
 }

@@ -17,7 +17,7 @@ namespace cvo_slam {
 /// The features of a keyframe in 40 bytes each in place of 60: what a map keeps in memory and in
 /// its files. They are rounded to
 ///
-///   u, v     1/16 px
+///   u, v     1/16 px, 1/8 px in images above 4096 px
 ///   depth    0.1 % (Eigen::half)
 ///   angle    1.4 degrees
 ///
@@ -41,12 +41,13 @@ class CompactFeatures {
 
  private:
   struct Point {
-    std::uint16_t u = 0, v = 0;  // [1/16 px]
+    std::uint16_t u = 0, v = 0;  // [1/pixel_steps_ px]
     std::uint16_t depth = 0;     // bits of an Eigen::half [m]; 0 = unknown
     std::uint8_t angle = 0;      // [1/256 turn]
     std::uint8_t size = 0;       // index in sizes_
   };
 
+  float pixel_steps_ = 16;
   std::vector<float> sizes_;  // of the levels of the pyramid [px], as far as they have features
   std::vector<Point> points_;
   std::vector<Descriptor> descriptors_;

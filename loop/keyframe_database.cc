@@ -55,12 +55,11 @@ std::vector<KeyframeMatch> KeyframeDatabase::query(const BagOfWords& bag, std::s
 }
 
 std::size_t KeyframeDatabase::bytes() const {
-  return std::accumulate(
-      entries_.begin(), entries_.end(),
-      entries_.capacity() * sizeof(std::vector<Entry>) + sums_.capacity() * sizeof(Sum),
-      [](std::size_t sum, const std::vector<Entry>& entries) {
-        return sum + entries.capacity() * sizeof(Entry);
-      });
+  return std::accumulate(entries_.begin(), entries_.end(),
+                         entries_.size() * sizeof(std::vector<Entry>) + sums_.size() * sizeof(Sum),
+                         [](std::size_t sum, const std::vector<Entry>& entries) {
+                           return sum + entries.size() * sizeof(Entry);
+                         });
 }
 
 std::vector<CandidateGroup> group_candidates(const std::vector<KeyframeMatch>& matches,

@@ -36,8 +36,8 @@ OptionSet describe_candidates(CandidateOptions& o) {
 
 std::size_t bytes_of(const DetectorKeyframe& keyframe) {
   return sizeof(DetectorKeyframe) + keyframe.features.bytes() +
-         keyframe.words.bag.capacity() * sizeof(WordWeight) +
-         keyframe.words.nodes.capacity() * sizeof(NodeFeature);
+         keyframe.words.bag.size() * sizeof(WordWeight) +
+         keyframe.words.nodes.size() * sizeof(NodeFeature);
 }
 
 /// Returns the groups of the matches with a sufficient score, the best ones first.

@@ -55,6 +55,22 @@ Trajectory path_of(std::vector<FrameRecord> records, int first_own_submap) {
 
 }  // namespace
 
+bool FrameHistory::is_consistent() const {
+  const auto is_before = [](const TrackedPose& a, const TrackedPose& b) {
+    return a.frame < b.frame;
+  };
+  if (!std::is_sorted(frames_.begin(), frames_.end(), is_before)) return false;
+  const auto has = [&](std::size_t number) {
+    TrackedPose wanted;
+    wanted.frame = number;
+    return std::binary_search(frames_.begin(), frames_.end(), wanted, is_before);
+  };
+  return std::all_of(keyframes_.begin(), keyframes_.end(), has) &&
+         std::all_of(frames_.begin(), frames_.end(), [&](const TrackedPose& frame) {
+           return frame.status == TrackingStatus::kLost || has(frame.keyframe);
+         });
+}
+
 const TrackedPose& FrameHistory::frame(std::size_t number) const {
   return *std::lower_bound(
       frames_.begin(), frames_.end(), number,

@@ -53,6 +53,8 @@ class FrameHistory {
   /// The keyframe after a frame, if it was tracked against the same keyframe; otherwise null.
   [[nodiscard]] const TrackedPose* next_keyframe(const TrackedPose& frame) const;
   void exchange(SavedState& state) { state(frames_, keyframes_); }
+  /// True if the frames ascend, and those that keyframes are named by are among them.
+  [[nodiscard]] bool is_consistent() const;
 
  private:
   std::deque<TrackedPose> frames_;

@@ -117,6 +117,12 @@ bool MapGraph::is_known(std::size_t position, const InheritedEdge& edge) const {
   });
 }
 
+bool MapGraph::has_rows_below(std::size_t count) const {
+  return std::all_of(notes_.begin(), notes_.end(), [count](const EdgeNotes& notes) {
+    return notes.row.value_or(0) < std::max<std::size_t>(count, 1);
+  });
+}
+
 void MapGraph::exchange(SavedState& state) {
   state(optimizer_, notes_);
   if (notes_.size() != graph().edges().size()) {

@@ -59,6 +59,8 @@ class MapGraph {
   /// Positions of the keyframes whose poses the last optimisation may have changed.
   [[nodiscard]] const std::vector<std::size_t>& moved() const { return optimizer_.moved(); }
   void exchange(SavedState& state);
+  /// True if the rows of all edges are among the first `count`.
+  [[nodiscard]] bool has_rows_below(std::size_t count) const;
 
  private:
   /// What the graph does not know of an edge.

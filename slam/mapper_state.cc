@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/slam/map_memory_internal.h"
 #include "cvo_slam/slam/mapper_internal.h"
@@ -33,9 +37,20 @@ void Mapper::exchange(SavedState& state, const Map& map) {
     throw DataError(
         "the map was saved with another value of loops.enabled; go on with the options it had");
   }
+  // Files round them to their decimals.
+  std::vector<Timestamp> stamps;
+  for (std::size_t i = 0; i < map_.keyframes.size(); ++i) {
+    stamps.push_back(map_.keyframes[i].stamp);
+  }
+  state(stamps);
   if (state.is_reading()) {
-    for (const KeyframeMemory& keyframe : map.memory->keyframes) {
-      map_.keyframes.add(to_stored_keyframe(keyframe));
+    if (stamps.size() != map.memory->keyframes.size()) {
+      throw DataError("a saved state does not belong to the keyframes of its map");
+    }
+    for (std::size_t i = 0; i < stamps.size(); ++i) {
+      StoredKeyframe keyframe = to_stored_keyframe(map.memory->keyframes[i]);
+      keyframe.stamp = stamps[i];
+      map_.keyframes.add(std::move(keyframe));
     }
   }
   if (loop_closing_) {
@@ -46,7 +61,14 @@ void Mapper::exchange(SavedState& state, const Map& map) {
   }
   state(map_, candidates_, statistics_, T_world_newest_tracked_, keyframes_since_solve_,
         next_checked_, is_fully_optimized_);
-  if (state.is_reading()) index_keyframes();
+  if (!state.is_reading()) return;
+  const auto has_row = [this](const SubmapLink& link) { return link.row < candidates_.size(); };
+  if (!std::all_of(map_.links.begin(), map_.links.end(), has_row) ||
+      !std::all_of(map_.contradictions.begin(), map_.contradictions.end(), has_row) ||
+      !map_.graph.has_rows_below(candidates_.size())) {
+    throw DataError("a saved state has no row for one of its edges");
+  }
+  index_keyframes();
 }
 
 }  // namespace cvo_slam

@@ -107,8 +107,10 @@ class Slam {
   /// have a pose in the map (FrameRecord::localized) once some in a row agree on where the camera
   /// is; the cost of a frame does not grow. kResume: the object answers as the one would have that
   /// map(MapContent::kSession) was called of, bit for bit if options and vocabulary are the same;
-  /// frames are numbered on, and an observer is to be given anew. Throws DataError if the map has
-  /// no memory (Map::memory) or its parts do not belong together, and OptionError.
+  /// frames are numbered on, and an observer is to be given anew: what has moved since the last
+  /// correction that one was told, keyframes() says. Times in statistics() begin anew. Throws
+  /// DataError if the map has no memory (Map::memory) or its parts do not belong together, and
+  /// OptionError.
   explicit Slam(const Map& map, const SlamOptions& options = {}, MapUse use = MapUse::kExtend,
                 const std::shared_ptr<const Vocabulary>& vocabulary = nullptr);
   ~Slam();

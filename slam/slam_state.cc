@@ -61,6 +61,10 @@ void Slam::Impl::exchange(SavedState& state, const Map& map) {
         last_tracked_record.submap, last_tracked_record.T_world_camera, last.T_fixed_moving,
         last.covariance, last.cos_theta);
   mapper.exchange(state, map);
+  const bool has_row = !recognized || recognized->row < mapper.candidates().size();
+  if (!has_row || !history.is_consistent()) {
+    throw DataError("a saved state does not belong to the frames of its session");
+  }
 }
 
 }  // namespace cvo_slam

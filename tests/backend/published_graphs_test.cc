@@ -23,12 +23,12 @@ void PrintTo(const Published& graph, std::ostream* stream) { *stream << graph.na
 
 class PublishedGraphs : public testing::TestWithParam<Published> {
  protected:
-  [[nodiscard]] std::filesystem::path file() const {
+  [[nodiscard]] static std::filesystem::path file() {
     return test_data() / "pose_graphs" / (GetParam().name + ".g2o");
   }
 
   /// The published optima have eight digits; 1e-6 is the target of this project.
-  void expect_optimum(PoseGraph graph, const OptimizerOptions& options = {}) const {
+  static void expect_optimum(PoseGraph graph, const OptimizerOptions& options = {}) {
     const Summary summary = optimize(graph, options);
     EXPECT_TRUE(summary.converged) << summary.reason;
     EXPECT_NEAR(summary.final_cost, GetParam().cost, 1e-6 * GetParam().cost);

@@ -31,6 +31,7 @@ std::vector<StampedPose> at(std::initializer_list<std::int64_t> times) {
 /// Returns the times [ms] of the matched reference poses.
 std::vector<long> found(const std::vector<MatchedPose>& matches) {
   std::vector<long> times;
+  times.reserve(matches.size());
   for (const auto& match : matches) {
     times.push_back(std::lround(match.reference.translation().x() * 1000));
   }
@@ -39,6 +40,7 @@ std::vector<long> found(const std::vector<MatchedPose>& matches) {
 
 std::vector<long> stamps(const std::vector<MatchedPose>& matches) {
   std::vector<long> times;
+  times.reserve(matches.size());
   for (const auto& match : matches) times.push_back(match.stamp.nanoseconds() / 1000000);
   return times;
 }

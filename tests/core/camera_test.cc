@@ -48,7 +48,9 @@ TEST(PinholeCamera, DistortionIsBrownsModel) {
   camera.fx = camera.fy = 1;
   camera.cx = camera.cy = 0;
   camera.distortion = {0.1, 0.01, 0.001, 0.002, 0.0001};
-  const double x = 0.3, y = -0.2, r2 = x * x + y * y;
+  const double x = 0.3;
+  const double y = -0.2;
+  const double r2 = x * x + y * y;
   const double radial = 1 + 0.1 * r2 + 0.01 * r2 * r2 + 0.0001 * r2 * r2 * r2;
   const Eigen::Vector2d pixel = camera.project(Vector3(x, y, 1));
   EXPECT_NEAR(pixel.x(), x * radial + 2 * 0.001 * x * y + 0.002 * (r2 + 2 * x * x), 1e-15);

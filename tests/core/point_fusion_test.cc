@@ -74,8 +74,9 @@ TEST(FusePoints, PixelsLandWhereTheCameraProjectsThem) {
       const auto column = static_cast<int>(i) % sampled.depth.cols;
       const auto row = static_cast<int>(i) / sampled.depth.cols;
       const Eigen::Vector2d pixel = camera.color.project(points[i].position.cast<double>());
-      EXPECT_NEAR(pixel.x(), step * column + step / 2, 1e-3);
-      EXPECT_NEAR(pixel.y(), step * row + step / 2, 1e-3);
+      const int middle = step / 2;
+      EXPECT_NEAR(pixel.x(), step * column + middle, 1e-3);
+      EXPECT_NEAR(pixel.y(), step * row + middle, 1e-3);
     }
   }
 }

@@ -26,6 +26,7 @@ std::filesystem::path reference_file(const char* name) {
 std::vector<MatchedPose> matches(const std::string& association) {
   static const auto reference = read_tum(reference_file("reference.txt"));
   static const auto estimate = read_tum(reference_file("estimate.txt"));
+  // NOLINTNEXTLINE(readability-suspicious-call-argument): that is what the name says
   if (association == "swapped") return associate(estimate, reference);
   const std::map<std::string, AssociationOptions> options = {
       {"nearest", {}},

@@ -157,8 +157,9 @@ TEST_P(RegistrationInput, CosThetaStaysInTheUnitIntervalOnALattice) {
   options_.max_iterations = {1};
   PointCloud lattice = random_cloud(400, 2);
   for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const std::size_t row = i / 20;
     lattice.x[i] = 0.1F * static_cast<float>(i % 20);
-    lattice.y[i] = 0.1F * static_cast<float>(i / 20);
+    lattice.y[i] = 0.1F * static_cast<float>(row);
     lattice.z[i] = 1;
     for (auto& feature : lattice.features) feature[i] = 100;
   }

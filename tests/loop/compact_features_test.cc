@@ -58,12 +58,20 @@ TEST(CompactFeatures, AnUnknownDepthStaysUnknown) {
   EXPECT_TRUE(std::isfinite(again.points[4].depth));
 }
 
+TEST(CompactFeatures, LargeImagesHaveCoarserPixels) {
+  OrbFeatures features = poster_features(20);
+  features.points[3].u = 8000.3F;
+  const OrbFeatures again = CompactFeatures(features).features(kPosterCamera.color);
+  EXPECT_NEAR(again.points[3].u, 8000.3F, 0.07);
+  EXPECT_NEAR(again.points[4].v, features.points[4].v, 0.07);
+}
+
 TEST(CompactFeatures, DamagedBytesAreErrors) {
   const std::string bytes = CompactFeatures(poster_features(20)).to_bytes();
   EXPECT_THROW(std::ignore = CompactFeatures::from_bytes(bytes.substr(1)), DataError);
   EXPECT_THROW(std::ignore = CompactFeatures::from_bytes(""), DataError);
   std::string sizes = bytes;
-  sizes.replace(8, 4, std::string(4, '\0'));  // a size of 0
+  sizes.replace(12, 4, std::string(4, '\0'));  // a size of 0
   EXPECT_THROW(std::ignore = CompactFeatures::from_bytes(sizes), DataError);
   EXPECT_TRUE(CompactFeatures::from_bytes(CompactFeatures().to_bytes()).descriptors().empty());
 }
