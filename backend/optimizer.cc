@@ -41,12 +41,12 @@ OptionSet describe(OptimizerOptions& o) {
       .add("loss_scale", o.loss_scale, {1e-3, 1e6}, "",
            "Error in standard deviations above which the loss takes effect. The default is the "
            "square root of chi-square's 99 % quantile with six degrees of freedom.")
-      .add("max_iterations", o.max_iterations, {1, 100000}, "",
-           "Most iterations of one solve. A graph that needs more than twenty is ill-conditioned.")
       .add("window", o.window, {1, 1000000}, "edges",
            "Nodes farther than this many edges from the newest node are held, unless a full solve "
            "is asked for.")
       .expert()
+      .add("max_iterations", o.max_iterations, {1, 100000}, "",
+           "Most iterations of one solve. A graph that needs more than twenty is ill-conditioned.")
       .add("gnc_factor", o.gnc_factor, {1.05, 100}, "",
            "Factor by which gnc makes the loss less convex between two solves; 1.4 is the value of "
            "the paper.")

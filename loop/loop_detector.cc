@@ -26,8 +26,8 @@ OptionSet describe_candidates(CandidateOptions& o) {
       .add("min_score", o.min_score, {0, 1}, "",
            "Least bag-of-words score of a candidate, as a share of the score with the preceding "
            "keyframe.")
-      .add("candidates", o.candidates, {1, 1000}, "", "Most places to verify for an image.")
       .expert()
+      .add("candidates", o.candidates, {1, 1000}, "", "Most places to verify for an image.")
       .add("min_neighbor_score", o.min_neighbor_score, {0, 1}, "",
            "Least value that is used as the score with the preceding keyframe, for fast motions.")
       .add("group_gap", o.group_gap, {1, 1000}, "keyframes",

@@ -110,14 +110,14 @@ OptionSet describe(SlamOptions& o) {
            "one. Fixed, so that no result depends on timing.")
       .add("optimize_every", o.optimize_every, {1, 100000}, "keyframes",
            "The newest part of the graph is optimised whenever so many keyframes were added.")
-      .add("map_points", o.map_points, {50, 100000}, "",
-           "Most points of a keyframe that the map keeps, of those that the tracker selects for "
-           "it. Twice as many as are registered to them; more take memory and time.")
       .add("proximity", describe(o.proximity))
       .add("loops", describe(o.loops))
       .add("culling", describe(o.culling))
       .add("optimizer", describe(o.optimizer))
       .expert()
+      .add("map_points", o.map_points, {50, 100000}, "",
+           "Most points of a keyframe that the map keeps, of those that the tracker selects for "
+           "it. Twice as many as are registered to them; more take memory and time.")
       .add("noise_translation", o.noise_translation, {0, 1}, "m",
            "Standard deviation of what a registration cannot know of its error: bent depth, "
            "inexact stamps. It is added to the covariance of every edge. By their own account the "

@@ -346,5 +346,19 @@ TEST(DefaultConfiguration, FileIsWhatTheProgramPrints) {
             run_program({"run", "--dump-config"}).output);
 }
 
+// More options than a user can read are no help: what is rarely changed is for experts.
+TEST(DefaultConfiguration, HasAtMost45OptionsForEveryone) {
+  const std::string page = read_text(std::filesystem::path(CVO_SLAM_SOURCE_DIR) / "docs" /
+                                     "reference" / "options.md");  // tested against the code
+  const std::string first = page.substr(0, page.find("## Options for experts"));
+  std::size_t rows = 0;
+  for (std::size_t at = first.find("\n| `"); at != std::string::npos;
+       at = first.find("\n| `", at + 1)) {
+    ++rows;
+  }
+  EXPECT_GT(rows, 30U);
+  EXPECT_LE(rows, 45U);
+}
+
 }  // namespace
 }  // namespace cvo_slam
