@@ -40,7 +40,7 @@ namespace fs = std::filesystem;
 const fs::path& scratch_folder() {
   static const fs::path folder = [] {
     const fs::path root = fs::exists("/dev/shm") ? "/dev/shm" : fs::temp_directory_path();
-    const fs::path made = root / fmt::format("cvo_slam_fuzz_{}", getpid());
+    fs::path made = root / fmt::format("cvo_slam_fuzz_{}", getpid());
     fs::create_directories(made);
     std::atexit([] { fs::remove_all(scratch_folder()); });
     return made;
@@ -49,7 +49,7 @@ const fs::path& scratch_folder() {
 }
 
 fs::path write_scratch(const std::string& name, std::string_view bytes) {
-  const fs::path file = scratch_folder() / name;
+  fs::path file = scratch_folder() / name;
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
   return file;
 }

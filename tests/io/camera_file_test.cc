@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cvo_slam/io/camera_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -199,7 +200,7 @@ TEST(ReadCamera, RefusesKeysOfSettingsThatChangeTheLens) {
   EXPECT_THAT(read_error(good + "Camera1.k4: 0.1\n"), HasSubstr("c.yaml:9: Camera1.k4: 0.1 is"));
   for (const char* model : {"fisheye", "KannalaBrandt8", "Rectified", "equirectangular"}) {
     for (const char* key : {"Camera.model", "Camera.type"}) {
-      const std::string line = std::string(key) + ": \"" + model + "\"\n";
+      const std::string line = fmt::format("{}: \"{}\"\n", key, model);
       EXPECT_THAT(read_error(good + "Camera.k4: 1\n" + line),
                   HasSubstr(std::string("c.yaml:10: ") + key + ": only PinHole (perspective) is"));
     }

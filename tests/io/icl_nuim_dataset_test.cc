@@ -42,7 +42,9 @@ TEST(IclNuimDataset, AMistakeInItsListIsReported) {
 /// well depth, camera and motion agree. (The depth of this sequence is noisy and says less.)
 double photometric_error(const PinholeCamera& camera, const RgbdFrame& a, const RgbdFrame& b,
                          const SE3& T_b_a) {
-  cv::Mat grey_a, grey_b, seen_b;
+  cv::Mat grey_a;
+  cv::Mat grey_b;
+  cv::Mat seen_b;
   cv::cvtColor(a.color, grey_a, cv::COLOR_BGR2GRAY);
   cv::cvtColor(b.color, grey_b, cv::COLOR_BGR2GRAY);
   cv::Mat map(a.color.size(), CV_32FC2, cv::Scalar(-1, -1));

@@ -16,6 +16,7 @@ using testing::Pair;
 
 std::vector<Timestamp> milliseconds(const std::vector<std::int64_t>& values) {
   std::vector<Timestamp> stamps;
+  stamps.reserve(values.size());
   for (const auto value : values) stamps.emplace_back(value * 1000000);
   return stamps;
 }

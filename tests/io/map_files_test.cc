@@ -22,7 +22,7 @@ Map small_map() {
   for (int i = 0; i < 3; ++i) {
     const SE3 pose(Matrix3::Identity(), {1.0 * i, 0, 0});
     map.keyframes.push_back({Timestamp::from_seconds(i), pose});
-    map.graph.add_node({10 * i, pose, i == 0});
+    map.graph.add_node({NodeId{10} * i, pose, i == 0});
   }
   const SE3 step(Matrix3::Identity(), {1, 0, 0});
   map.graph.add_edge({0, 10, step});
@@ -34,7 +34,7 @@ Map small_map() {
 
 class MapFiles : public testing::Test {
  protected:
-  std::string error_of_reading() const {
+  [[nodiscard]] std::string error_of_reading() const {
     try {
       static_cast<void>(read_map(folder_.path()));
     } catch (const InputError& error) {

@@ -42,7 +42,7 @@ Map map_with(char content) {
     // Two sessions: stamps do not ascend.
     const Timestamp stamp = Timestamp::from_seconds(10 - i);
     map.keyframes.push_back({stamp, pose});
-    map.graph.add_node({10 * i, pose});
+    map.graph.add_node({NodeId{10} * i, pose});
     memory.keyframes.push_back({static_cast<std::size_t>(10 * i), stamp, i / 2,
                                 std::string(20'000, content), std::string(5'000, content)});
   }

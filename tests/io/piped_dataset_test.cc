@@ -25,6 +25,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 class PipedDatasetTest : public testing::Test {
+ public:
+  PipedDatasetTest(PipedDatasetTest&&) = delete;
+  PipedDatasetTest& operator=(PipedDatasetTest&&) = delete;
+
  protected:
   PipedDatasetTest() {
     EXPECT_EQ(pipe(ends_.data()), 0);
@@ -34,8 +38,6 @@ class PipedDatasetTest : public testing::Test {
     close_writer();
     close(ends_[0]);
   }
-  PipedDatasetTest(const PipedDatasetTest&) = delete;
-  PipedDatasetTest& operator=(const PipedDatasetTest&) = delete;
 
   void write(const std::string& text) const {
     EXPECT_EQ(::write(ends_[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));

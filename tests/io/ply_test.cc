@@ -24,13 +24,15 @@ using testing::IsEmpty;
 
 class Ply : public testing::Test {
  protected:
-  PlyCloud read_cloud(const std::string& text) const {
+  [[nodiscard]] PlyCloud read_cloud(const std::string& text) const {
     return read_ply(folder_.write("a.ply", text));
   }
 
-  std::vector<MapPoint> read(const std::string& text) const { return read_cloud(text).points; }
+  [[nodiscard]] std::vector<MapPoint> read(const std::string& text) const {
+    return read_cloud(text).points;
+  }
 
-  std::string error_of(const std::string& text) const {
+  [[nodiscard]] std::string error_of(const std::string& text) const {
     try {
       static_cast<void>(read(text));
     } catch (const InputError& error) {

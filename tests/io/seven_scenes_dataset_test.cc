@@ -110,7 +110,9 @@ double edge_distance(const cv::Mat& color, const cv::Mat& depth) {
   constexpr int kReach = 3;        // px over which a depth step is looked for
   constexpr int kStep = 150;       // mm
   constexpr int kFarthest = 3000;  // mm; beyond this the sensor's own steps reach kStep
-  cv::Mat grey, edges, distance;
+  cv::Mat grey;
+  cv::Mat edges;
+  cv::Mat distance;
   cv::cvtColor(color, grey, cv::COLOR_BGR2GRAY);
   cv::GaussianBlur(grey, grey, {5, 5}, 0);
   cv::Canny(grey, edges, 30, 60);

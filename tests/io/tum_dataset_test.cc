@@ -4,8 +4,10 @@
 #include <set>
 #include <sstream>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -83,7 +85,8 @@ TEST_P(AssociationFile, IsAcceptedInEitherOrder) {
     const TinySequence sequence;
     const std::string color = "0.5 rgb/0.png";
     const std::string depth = "0.7 depth/0.png";  // more than 20 ms apart: the list decides
-    sequence.write(GetParam(), depth_first ? depth + " " + color : color + " " + depth);
+    const auto& [first, second] = depth_first ? std::pair(depth, color) : std::pair(color, depth);
+    sequence.write(GetParam(), fmt::format("{} {}", first, second));
     sequence.write_color("rgb/0.png");
     sequence.write_depth("depth/0.png");
     const RgbdFrame frame = sequence.open()->read(0);
@@ -187,6 +190,7 @@ TEST(TumDataset, ReturnsTheSameToManyThreads) {
   const auto data = sequence.open();
   const cv::Mat expected = data->read(0).color;
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back([&] {
       for (int k = 0; k < 16; ++k) EXPECT_EQ(cv::norm(data->read(0).color, expected), 0);

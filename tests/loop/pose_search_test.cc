@@ -19,6 +19,7 @@ enum class Depths { kBoth, kOnlyA, kOnlyB, kMixed };
 std::vector<PointPair> make_pairs(int inliers, int outliers, Depths depths, unsigned seed) {
   PairSource source(kCamera, kTruth, seed);
   std::vector<PointPair> pairs;
+  pairs.reserve(static_cast<std::size_t>(inliers + outliers));
   for (int i = 0; i < inliers; ++i) pairs.push_back(source.inlier(0.7, 0.002));
   for (int i = 0; i < outliers; ++i) pairs.push_back(source.outlier());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -91,6 +92,7 @@ TEST(PairModel, InformationIsThatOfTheErrors) {
   for (unsigned trial = 0; trial < kTrials; ++trial) {
     PairSource source(kCamera, kTruth, 100 + trial);
     std::vector<PointPair> pairs;
+    pairs.reserve(80);
     for (int i = 0; i < 80; ++i)
       pairs.push_back(source.inlier(kCamera.noise.pixel, kCamera.noise.depth_floor));
     const PoseEstimate estimate = model.refine(kTruth, pairs);

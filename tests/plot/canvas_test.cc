@@ -23,6 +23,7 @@ using testing::Not;
 std::vector<std::pair<double, double>> ends_along_x(
     const std::vector<std::vector<CanvasPoint>>& strokes) {
   std::vector<std::pair<double, double>> ends;
+  ends.reserve(strokes.size());
   for (const auto& stroke : strokes) ends.emplace_back(stroke.front().x, stroke.back().x);
   return ends;
 }

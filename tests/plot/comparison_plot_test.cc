@@ -72,6 +72,7 @@ TEST(ComparisonFigure, HasATopViewForEachEstimateInItsColour) {
 
 TEST(ComparisonFigure, EstimatesAreToldApartWithoutColour) {
   std::vector<ComparedTrajectory> estimates;
+  estimates.reserve(5);
   for (int i = 0; i < 5; ++i) estimates.push_back({std::to_string(i), line(3), errors(3)});
   const Figure figure = comparison_figure(line(3), estimates);
   const auto& series = figure.panels[0].series;
