@@ -5,9 +5,10 @@
 // solver and the search for common words in the index of keyframes may grow with the map.
 //   keyframe_cost [--sizes 100,1000,10000] [--odometry-only | --no-loops]
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -32,15 +33,17 @@ class GrowingMap {
  public:
   explicit GrowingMap(const SlamOptions& options) : map_(SyntheticKeyframes::camera(), options) {}
 
-  /// Adds the next keyframe. Returns the time of that [s], without the solver's.
-  double add() {
+  /// Adds the next keyframe. Returns the CPU time of that [s]; none if the solver was at work in
+  /// it.
+  std::optional<double> add() {
     const KeyframeInput keyframe = make_keyframe();
-    const double solver = solver_seconds();
-    const auto start = std::chrono::steady_clock::now();
+    const int solves = this->solves();
+    const std::clock_t start = std::clock();
     map_.add(keyframe);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const auto ticks = static_cast<double>(std::clock() - start);
     ++size_;
-    return elapsed.count() - (solver_seconds() - solver);
+    if (this->solves() > solves) return std::nullopt;
+    return ticks / CLOCKS_PER_SEC;
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -51,6 +54,10 @@ class GrowingMap {
   }
 
  private:
+  [[nodiscard]] int solves() const {
+    return map_.statistics().window_solves + map_.statistics().full_solves;
+  }
+
   [[nodiscard]] KeyframeInput make_keyframe() const {
     KeyframeInput keyframe;
     const RgbdFrame images = SyntheticKeyframes::frame(size_);
@@ -74,11 +81,14 @@ class GrowingMap {
 
 /// Means and the largest of the last keyframes before a size.
 void print_row(GrowingMap& map, std::size_t size) {
-  constexpr std::size_t kMeasured = 50;
+  constexpr std::size_t kMeasured = 90;
   while (map.size() + kMeasured < size) map.add();
   const double solver = map.solver_seconds();
   std::vector<double> seconds;
-  while (map.size() < size) seconds.push_back(map.add());
+  const std::size_t first = map.size();
+  while (map.size() < size) {
+    if (const auto time = map.add()) seconds.push_back(*time);
+  }
   if (seconds.empty()) return;
   const auto count = static_cast<double>(seconds.size());
   std::sort(seconds.begin(), seconds.end());
@@ -86,7 +96,7 @@ void print_row(GrowingMap& map, std::size_t size) {
   for (const double value : seconds) sum += value;
   fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.1f} |\n", size, 1000 * sum / count,
              1000 * seconds[seconds.size() / 2], 1000 * seconds.back(),
-             1000 * (map.solver_seconds() - solver) / count,
+             1000 * (map.solver_seconds() - solver) / static_cast<double>(size - first),
              static_cast<double>(map.edges()) / static_cast<double>(map.size()));
   std::fflush(stdout);
 }

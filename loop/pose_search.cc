@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <opencv2/calib3d.hpp>
 
 #include "cvo_slam/loop/pose_search_internal.h"
@@ -52,14 +51,8 @@ bool are_congruent(const Matrix3& a, const Matrix3& b, const PairModel& model) {
 
 /// Returns the rigid motion of least squared distances (S. Umeyama, PAMI 1991, without the scale).
 SE3 align_triangles(const Matrix3& a, const Matrix3& b) {
-  const Vector3 center_a = a.rowwise().mean();
-  const Vector3 center_b = b.rowwise().mean();
-  const Matrix3 covariance = (a.colwise() - center_a) * (b.colwise() - center_b).transpose();
-  const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Matrix3 sign = Matrix3::Identity();
-  sign(2, 2) = svd.matrixU().determinant() * svd.matrixV().determinant() < 0 ? -1 : 1;
-  const Matrix3 rotation = svd.matrixU() * sign * svd.matrixV().transpose();
-  return {rotation, center_a - rotation * center_b};
+  const Eigen::Matrix4d T_a_b = Eigen::umeyama(b, a, false);
+  return {T_a_b.topLeftCorner<3, 3>(), T_a_b.topRightCorner<3, 1>()};
 }
 
 /// Returns the poses T_camera_points of a camera that sees three points (columns) in the given
