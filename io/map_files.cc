@@ -25,8 +25,6 @@ namespace cvo_slam {
 namespace {
 
 constexpr std::string_view kKeyframes = "keyframes.txt";
-constexpr std::string_view kGraph = "graph.g2o";
-constexpr std::string_view kEdges = "edges.txt";
 constexpr std::string_view kPoints = "map.ply";
 
 constexpr std::array<std::pair<std::string_view, EdgeKind>, 3> kKinds = {
@@ -56,7 +54,7 @@ EdgeKind parse_kind(const std::filesystem::path& file, const TextLine& line,
     throw InputError(
         file, line.number,
         fmt::format("expected '{} {} <kind>' as in {}; both files must belong to the same map",
-                    edge.from, edge.to, kGraph));
+                    edge.from, edge.to, kGraphFile));
   }
   const auto* kind = std::find_if(kKinds.begin(), kKinds.end(),
                                   [&](const auto& entry) { return entry.first == words[2]; });
@@ -74,7 +72,7 @@ PoseGraph with_edge_kinds(const PoseGraph& graph, const std::filesystem::path& f
   if (lines.size() != graph.edges().size()) {
     throw InputError(file,
                      fmt::format("{} edges, but {} in {}; both files must belong to the same map",
-                                 lines.size(), graph.edges().size(), kGraph));
+                                 lines.size(), graph.edges().size(), kGraphFile));
   }
   PoseGraph result;
   for (const PoseGraphNode& node : graph.nodes()) result.add_node(node);
@@ -92,7 +90,7 @@ void check_sizes(const std::filesystem::path& folder, const Map& map) {
   if (nodes == 0 || nodes == map.keyframes.size()) return;
   throw InputError(folder, fmt::format("{} keyframes in {}, but {} nodes in {}; both files must "
                                        "belong to the same map",
-                                       map.keyframes.size(), kKeyframes, nodes, kGraph));
+                                       map.keyframes.size(), kKeyframes, nodes, kGraphFile));
 }
 
 void read_points(const std::filesystem::path& file, Map& map, std::vector<std::string>& notes) {
@@ -112,7 +110,7 @@ void add_memory(const std::filesystem::path& folder, const MapHeader& header, Ma
   const auto& keyframes = map.memory->keyframes;
   if (keyframes.size() != map.graph.nodes().size()) {
     throw InputError(folder, fmt::format("{} keyframes, but {} nodes in {}; make the map again",
-                                         keyframes.size(), map.graph.nodes().size(), kGraph));
+                                         keyframes.size(), map.graph.nodes().size(), kGraphFile));
   }
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     map.keyframes.push_back({keyframes[i].stamp, map.graph.nodes()[i].T_world_node});
@@ -127,18 +125,20 @@ Map read_files(const std::filesystem::path& folder, std::vector<std::string>& no
   }
   std::optional<MapHeader> header;
   if (has(kMapHeader)) header.emplace(folder);
-  if (!has(kKeyframes) && !has(kGraph) && !has(kPoints) && !header) {
+  if (!has(kKeyframes) && !has(kGraphFile) && !has(kPoints) && !header) {
     throw InputError(folder, fmt::format("holds no map: none of {}, {} and {}; give a folder that "
                                          "cvo_slam run has written",
-                                         kKeyframes, kGraph, kPoints));
+                                         kKeyframes, kGraphFile, kPoints));
   }
   if (header) header->check_small_files(folder);
   Map map;
   if (has(kKeyframes)) map.keyframes = read_tum(folder / kKeyframes);
   // A session may be saved before the map has a keyframe.
-  const bool has_nodes = has(kGraph) && !(header && std::filesystem::is_empty(folder / kGraph));
-  if (has_nodes) map.graph = read_g2o(folder / kGraph, notes, foreign);
-  if (has(kGraph) && has(kEdges)) map.graph = with_edge_kinds(map.graph, folder / kEdges);
+  const bool has_nodes =
+      has(kGraphFile) && !(header && std::filesystem::is_empty(folder / kGraphFile));
+  if (has_nodes) map.graph = read_g2o(folder / kGraphFile, notes, foreign);
+  if (has(kGraphFile) && has(kEdgesFile))
+    map.graph = with_edge_kinds(map.graph, folder / kEdgesFile);
   if (has(kPoints)) read_points(folder / kPoints, map, notes);
   if (has(kKeyframes)) check_sizes(folder, map);
   if (header) add_memory(folder, *header, map);
@@ -147,8 +147,8 @@ Map read_files(const std::filesystem::path& folder, std::vector<std::string>& no
 
 void write_files(const std::filesystem::path& folder, const Map& map) {
   if (!map.graph.nodes().empty() || map.memory) {
-    write_g2o(folder / kGraph, map.graph);
-    write_file(folder / kEdges, edges_text(map.graph));
+    write_g2o(folder / kGraphFile, map.graph);
+    write_file(folder / kEdgesFile, edges_text(map.graph));
   }
   if (map.points.empty()) return;
   if (map.memory) {

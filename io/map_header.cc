@@ -68,11 +68,12 @@ MapHeader::MapHeader(const fs::path& folder) : root_(YamlValue::read(folder / kM
     format.fail(fmt::format("the map has format {}, and this program reads {}; make it again",
                             format.word("format"), kFormat));
   }
-  const YamlValue& files = root_.require("files", "the files of the map");
-  for (const char* name : {kCameraFile, kTableFile, kBlobFile, "graph.g2o", "edges.txt"}) {
-    static_cast<void>(files.require(name, "a file of the map"));
+  for (const char* name : {kCameraFile, kTableFile, kBlobFile, kGraphFile, kEdgesFile}) {
+    static_cast<void>(files().require(name, "a file of the map"));
   }
 }
+
+const YamlValue& MapHeader::files() const { return root_.require("files", "the files of the map"); }
 
 std::uint32_t MapHeader::vocabulary() const {
   return hexadecimal_of(root_.require("vocabulary", "the vocabulary"), "vocabulary");
@@ -85,15 +86,13 @@ std::pair<double, std::size_t> MapHeader::cos_theta() const {
 }
 
 bool MapHeader::has(std::string_view name) const {
-  const YamlValue& files = root_.require("files", "the files of the map");
-  const auto& entries = files.map("files");
+  const auto& entries = files().map("files");
   return std::any_of(entries.begin(), entries.end(),
                      [&](const auto& entry) { return entry.first == name; });
 }
 
 CheckedFile MapHeader::open_checked(const fs::path& folder, const std::string& name) const {
-  const YamlValue& files = root_.require("files", "the files of the map");
-  const YamlValue& entry = files.require(name, "a file of the map");
+  const YamlValue& entry = files().require(name, "a file of the map");
   const auto& values = entry.list(name);
   if (values.size() != 2) entry.fail(name + ": expected its size and its checksum");
   const double size = values[0].number(name);
@@ -110,8 +109,7 @@ std::string MapHeader::read_checked(const fs::path& folder, const std::string& n
 }
 
 void MapHeader::check_small_files(const fs::path& folder) const {
-  const YamlValue& files = root_.require("files", "the files of the map");
-  for (const auto& [name, entry] : files.map("files")) {
+  for (const auto& [name, entry] : files().map("files")) {
     if (name.find('/') != std::string::npos) entry.fail(name + ": is no file of the map's folder");
     if (name == kBlobFile || name == kSurfaceFile || name == kTableFile || name == kSessionFile)
       continue;

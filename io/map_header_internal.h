@@ -23,6 +23,8 @@ inline constexpr const char* kMapHeader = "map.yaml";
 inline constexpr const char* kCameraFile = "camera.yaml";
 inline constexpr const char* kTableFile = "keyframes.csv";
 inline constexpr const char* kBlobFile = "keyframes.bin";
+inline constexpr const char* kGraphFile = "graph.g2o";
+inline constexpr const char* kEdgesFile = "edges.txt";
 inline constexpr const char* kSurfaceFile = "surface.bin";
 inline constexpr const char* kSessionFile = "session.bin";
 ///@}
@@ -75,6 +77,8 @@ class MapHeader {
   void check_small_files(const std::filesystem::path& folder) const;
 
  private:
+  [[nodiscard]] const YamlValue& files() const;
+
   YamlValue root_;
 };
 

@@ -254,7 +254,8 @@ void Mapper::cull_keyframes() {
   constexpr double kBytesOfMegabyte = 1024.0 * 1024;
   constexpr int kMostDropped = 10;  // a keyframe, or one would take long
   const double most_bytes = options_.culling.max_memory * kBytesOfMegabyte;
-  for (int i = 0; i<kMostDropped&& static_cast<double>(keyframe_bytes())> most_bytes; ++i) {
+  const auto is_too_large = [&] { return static_cast<double>(keyframe_bytes()) > most_bytes; };
+  for (int i = 0; i < kMostDropped && is_too_large(); ++i) {
     const auto removal = find_least_missed(map_, limits);
     if (!removal) break;
     remove_keyframe(*removal);
