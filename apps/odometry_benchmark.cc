@@ -92,6 +92,16 @@ std::optional<EvaluationReport> evaluation_of(const std::vector<StampedPose>& re
   }
 }
 
+std::vector<PoseError> wrong_poses(const std::vector<StampedPose>& reference,
+                                   const std::vector<StampedPose>& tracked) {
+  if (reference.empty() || tracked.empty()) return {};
+  try {
+    return find_wrong_poses(associate(reference, tracked, {.interpolate = true}));
+  } catch (const DataError&) {  // the reference covers another time
+    return {};
+  }
+}
+
 /// One system while it runs through a sequence.
 class Run {
  public:
@@ -105,7 +115,6 @@ class Run {
     if (system_ == nullptr) return;
     std::optional<SE3> T_world_camera;
     cpu_.push_back(cpu_time_of([&] { T_world_camera = system_->track(frame); }));
-    if (!T_world_camera) ++result_.lost;
     add(frame.stamp, T_world_camera);
   }
 
@@ -116,6 +125,7 @@ class Run {
       if (path) replace_poses(path->poses);
       result_.cpu = summarize(cpu_);
       result_.evaluation = evaluation_of(reference, result_.poses);
+      result_.wrong = wrong_poses(reference, tracked_);
     }
     return std::move(result_);
   }
@@ -125,17 +135,22 @@ class Run {
   void add(const Timestamp& stamp, const std::optional<SE3>& T_world_camera) {
     const SE3 before = result_.poses.empty() ? SE3() : result_.poses.back().T_world_camera;
     result_.poses.push_back({stamp, T_world_camera.value_or(before)});
+    if (T_world_camera) {
+      tracked_.push_back(result_.poses.back());
+    } else {
+      ++result_.lost;
+    }
   }
 
   /// Takes poses that the system knows better now, in ascending order of stamps.
   void replace_poses(const std::vector<StampedPose>& path) {
     const std::vector<StampedPose> frames = std::move(result_.poses);
     result_.poses.clear();
+    tracked_.clear();
     result_.lost = 0;
     auto next = path.begin();
     for (const StampedPose& frame : frames) {
       const bool known = next != path.end() && next->stamp == frame.stamp;
-      if (!known) ++result_.lost;
       add(frame.stamp, known ? std::optional(next->T_world_camera) : std::nullopt);
       if (known) ++next;
     }
@@ -143,7 +158,8 @@ class Run {
 
   OdometrySystem* system_;  // null if it is not built in
   ContestantResult result_;
-  std::vector<double> cpu_;  // [s]
+  std::vector<StampedPose> tracked_;  // the poses of the frames that are not lost
+  std::vector<double> cpu_;           // [s]
 };
 
 }  // namespace

@@ -66,6 +66,8 @@ struct ContestantResult {
   bool built_in = true;            ///< if false, the members below have no meaning
   std::size_t lost = 0;            ///< number of frames without a pose of their own
   std::vector<StampedPose> poses;  ///< one for each frame; a lost frame repeats the last pose
+  /// Of the frames that are not lost those that are wrong; empty without a usable reference.
+  std::vector<PoseError> wrong;
   Statistics cpu;                  ///< CPU time of the calling thread for a frame [s]
   double finish_cpu = 0;           ///< CPU time of the work after the last frame [s]
   std::optional<EvaluationReport> evaluation;  ///< empty without a usable reference

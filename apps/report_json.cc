@@ -83,11 +83,19 @@ Json milliseconds(const Statistics& seconds) {
           {"mean", seconds.mean * kMillisecondsInASecond}};
 }
 
+Json json_of(const PoseError& error) {
+  return {{"stamp", error.stamp.to_string()},
+          {"translation_m", error.translation},
+          {"rotation_deg", error.rotation * kDegrees}};
+}
+
 Json json_of(const ContestantResult& result) {
   Json json = {
       {"name", result.name}, {"description", result.description}, {"built_in", result.built_in}};
   if (!result.built_in) return json;
   json["lost"] = result.lost;
+  json["wrong"] = Json::array();
+  for (const PoseError& error : result.wrong) json["wrong"].push_back(json_of(error));
   json["cpu_ms"] = milliseconds(result.cpu);
   json["finish_cpu_ms"] = result.finish_cpu * kMillisecondsInASecond;
   json["evaluation"] = nullptr;

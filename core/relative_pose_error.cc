@@ -82,8 +82,18 @@ IndexPairs consecutive_pairs_by_path(const std::vector<double>& path, double del
   return pairs;
 }
 
+/// Returns the median time from a match to the next [s]; 0 if there are fewer than two.
+double usual_step(const std::vector<MatchedPose>& matches) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < matches.size(); ++i) {
+    steps.push_back(seconds_between(matches[i - 1].stamp, matches[i].stamp));
+  }
+  return steps.empty() ? 0 : summarize(steps).median;
+}
+
 IndexPairs pairs_by_time(const std::vector<MatchedPose>& matches,
                          const RelativePoseOptions& options) {
+  const double longest = options.delta + std::max(options.time_tolerance, usual_step(matches));
   IndexPairs pairs;
   std::size_t j = 0;
   for (std::size_t i = 0; i < matches.size();) {
@@ -92,7 +102,7 @@ IndexPairs pairs_by_time(const std::vector<MatchedPose>& matches,
     };
     while (j < matches.size() && elapsed(j) < options.delta) ++j;
     if (j == matches.size()) break;
-    const bool found = elapsed(j) <= options.delta + options.time_tolerance;
+    const bool found = elapsed(j) <= longest;
     if (found) pairs.emplace_back(i, j);
     i = found && !options.all_pairs ? j : i + 1;
   }
@@ -155,6 +165,23 @@ RelativePoseError relative_pose_error(const std::vector<MatchedPose>& matches,
   }
   result.statistics = summarize(result.errors);
   return result;
+}
+
+std::vector<PoseError> find_wrong_poses(const std::vector<MatchedPose>& matches,
+                                        const WrongMotion& limits) {
+  std::vector<PoseError> wrong;
+  const MatchedPose* right = nullptr;
+  for (const MatchedPose& match : matches) {
+    if (right != nullptr) {
+      const PoseError error = error_of(*right, match, RelativeErrorKind::kRelativePose);
+      if (error.translation > limits.translation || error.rotation > limits.rotation) {
+        wrong.push_back(error);
+        continue;
+      }
+    }
+    right = &match;
+  }
+  return wrong;
 }
 
 }  // namespace cvo_slam

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -120,8 +121,8 @@ struct RelativePoseOptions {
   bool all_pairs = true;
   /// With all pairs over metres: the largest share of delta by which a pair may miss it.
   double relative_tolerance = 0.1;
-  /// Over seconds: by how much a pair may be longer than delta [s]. A larger difference means lost
-  /// frames.
+  /// Over seconds: by how much a pair may be longer than delta [s], or by the usual step from match
+  /// to match where that is longer. A larger difference means lost frames.
   double time_tolerance = 0.05;
   /// How the two relative motions of a pair are compared.
   RelativeErrorKind kind = RelativeErrorKind::kRelativePose;
@@ -154,6 +155,17 @@ struct RelativePoseError {
 /// apart, and OptionError as select_pairs() does.
 [[nodiscard]] RelativePoseError relative_pose_error(const std::vector<MatchedPose>& matches,
                                                     const RelativePoseOptions& options = {});
+
+/// From which error on a motion is wrong, as no drift is: the tracker has slipped.
+struct WrongMotion {
+  double translation = 0.10;                                ///< [m]
+  double rotation = 5 * std::numbers::pi / 180;             ///< [rad]
+};
+
+/// Returns the matches that are wrong, with the error of their motion since the last one that was
+/// right; the first one is. What follows a slip is wrong until the estimate is back.
+[[nodiscard]] std::vector<PoseError> find_wrong_poses(const std::vector<MatchedPose>& matches,
+                                                      const WrongMotion& limits = {});
 
 /// Measures the offset between the clocks of two trajectories: what to add to the estimate's stamps
 /// [s], at most half a second, so that the rotations of the RPE over a second are smallest. It is

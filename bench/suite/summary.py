@@ -18,7 +18,9 @@ def runs_of(cell):
     if not cell.exists():
         return None
     runs = {}
-    for system in json.loads(cell.read_text())["systems"]:
+    content = json.loads(cell.read_text())
+    frames = len(range(content["begin"], content["end"], content["step"]))
+    for system in content["systems"]:
         evaluation = system["evaluation"] or {}
         second = next((rpe["error"] for rpe in evaluation.get("rpe", []) if rpe["unit"] == "s"), None)
         ate = evaluation.get("ate")
@@ -26,7 +28,9 @@ def runs_of(cell):
             "rpe_mm": second["translation_m"]["rmse"] * 1e3 if second else None,
             "rpe_deg": second["rotation_deg"]["rmse"] if second else None,
             "ate_mm": ate["translation_m"]["rmse"] * 1e3 if ate else None,
+            "frames": frames,
             "lost": system["lost"],
+            "wrong": system.get("wrong"),  # None in cells of older programs
             "cpu_ms": system["cpu_ms"]["mean"],
         }
     return runs
@@ -43,8 +47,16 @@ def wins(runs, other, figure):
     return sum(a < b for a, b in pairs), len(pairs)
 
 
+def count_wrong(runs):
+    """The frames of all runs that are called tracked and are wrong; None if they were not counted."""
+    if any(run["wrong"] is None for run in runs.values()):
+        return None
+    return sum(len(run["wrong"]) for run in runs.values())
+
+
 def summarise(runs, other):
-    row = {"runs": len(runs), "lost": sum(run["lost"] for run in runs.values()),
+    row = {"runs": len(runs), "frames": sum(run["frames"] for run in runs.values()),
+           "lost": sum(run["lost"] for run in runs.values()), "wrong": count_wrong(runs),
            "cpu_ms": statistics.median(values(runs, "cpu_ms"))}
     for figure in FIGURES:
         found = values(runs, figure)
@@ -57,6 +69,7 @@ def summarise(runs, other):
             row[figure + "_wins"], row[figure + "_pairs"] = wins(runs, other, figure)
     if other:
         row["lost_against"] = sum(run["lost"] for run in other.values())
+        row["wrong_against"] = count_wrong(other)
         row["cpu_ms_against"] = statistics.median(values(other, "cpu_ms"))
     return row
 
@@ -73,15 +86,36 @@ def cell_text(row, figure):
 
 
 def table(rows, mode, against):
-    lines = ["| sequence | " + " | ".join(FIGURES.values()) + " | lost | CPU [ms a frame] |",
-             "| --- | ---: | ---: | ---: | ---: | ---: |"]
+    lines = ["| sequence | " + " | ".join(FIGURES.values()) + " | lost | wrong | CPU [ms a frame] |",
+             "| --- | ---: | ---: | ---: | ---: | ---: | ---: |"]
+    count = lambda number: "-" if number is None else str(number)
     for row in (row for row in rows if row["mode"] == mode):
-        lost, cpu = str(row["lost"]), f"{row['cpu_ms']:.1f}"
+        lost, wrong, cpu = str(row["lost"]), count(row["wrong"]), f"{row['cpu_ms']:.1f}"
         if against and "lost_against" in row:
             lost, cpu = f"{row['lost_against']} → {lost}", f"{row['cpu_ms_against']:.1f} → {cpu}"
+            wrong = f"{count(row['wrong_against'])} → {wrong}"
         lines.append("| " + " | ".join([row["sequence"]] + [cell_text(row, f) for f in FIGURES] +
-                                       [lost, cpu]) + " |")
+                                       [lost, wrong, cpu]) + " |")
     return "\n".join(lines)
+
+
+def wrong_text(rows, mode, cells):
+    """How many frames of a mode are wrong, and each of them."""
+    rows = [row for row in rows if row["mode"] == mode and row["wrong"] is not None]
+    tracked = sum(row["frames"] - row["lost"] for row in rows)
+    if not tracked:
+        return ""
+    lines = []
+    for row in (row for row in rows if row["wrong"]):
+        for variant, run in runs_of(cells / mode / f"{row['sequence']}.json").items():
+            lines += [f"- {row['sequence']}, {variant}: frame at {frame['stamp']} s, "
+                      f"{frame['translation_m'] * 100:.0f} cm, {frame['rotation_deg']:.1f} deg"
+                      for frame in run["wrong"]]
+    text = f"Wrong: {len(lines)} of {tracked} tracked frames, {len(lines) / tracked:.3%}"
+    others = [row.get("wrong_against") for row in rows]
+    if rows and None not in others:
+        text += f"; the other program: {sum(others)}"
+    return "\n".join([text + "."] + ([""] + lines if lines else []))
 
 
 def others_table(folder, sequences, rows):
@@ -139,12 +173,14 @@ def main():
     label, against = arguments.cells.name, arguments.against.name if arguments.against else ""
     text = [f"Program `{label}`" + (f", compared with `{against}`." if against else "."), "",
             "Medians over the runs of `cvo_slam bench variants` [lowest, highest]; `lost` is the sum of",
-            "the lost frames, which keep the pose before them."]
+            "the lost frames, which keep the pose before them; `wrong` is the sum of the frames that are called",
+            "tracked although their motion since the last right one is off by more than 10 cm or 5 degrees."]
     if against:
         text += ["`a → b; w of n`: the other program has the median a, this one b, and is better in w of",
                  "n runs with the same perturbation. Times of two programs were not measured in one run."]
     for mode in arguments.modes:
-        text += ["", f"## {mode}", "", table(rows, mode, against)]
+        text += ["", f"## {mode}", "", table(rows, mode, against), "",
+                 wrong_text(rows, mode, arguments.cells)]
     if arguments.others:
         text += ["", "## Other systems", "", "One run of each, beside the medians of our odometry.", "",
                  others_table(arguments.others, arguments.sequences, rows)]

@@ -212,12 +212,28 @@ TEST_F(OdometryBenchmarkTest, ThePathKnownAtTheEndReplacesThatOfTracking) {
   EXPECT_EQ(result.poses[1].T_world_camera.translation().z(), 7);
 }
 
+TEST_F(OdometryBenchmarkTest, AWrongFrameIsCountedAndALostOneIsNot) {
+  sequence_.write("groundtruth.txt",
+                  "0.00 0 0 0 0 0 0 1\n0.05 0 0 0 0 0 0 1\n0.10 0 0 0 0 0 0 1\n");
+  const SE3 away(Matrix3::Identity(), {1, 0, 0});
+  const auto slipped =
+      run(std::make_unique<ScriptedSystem>(std::vector<std::optional<SE3>>{SE3(), away}));
+  ASSERT_EQ(slipped.results.at(0).wrong.size(), 1U);
+  EXPECT_NEAR(slipped.results.at(0).wrong[0].translation, 1, 1e-9);
+  const auto json = nlohmann::json::parse(json_text(*sequence_.open(), slipped));
+  EXPECT_EQ(json["systems"][0]["wrong"].size(), 1U);
+
+  const auto lost =
+      run(std::make_unique<ScriptedSystem>(std::vector<std::optional<SE3>>{SE3(), std::nullopt}));
+  EXPECT_TRUE(lost.results.at(0).wrong.empty());
+}
+
 TEST_F(OdometryBenchmarkTest, WithoutAReferenceTheTableHasNoErrors) {
   const auto benchmark =
       run(std::make_unique<ScriptedSystem>(std::vector<std::optional<SE3>>{SE3(), SE3()}));
   EXPECT_FALSE(benchmark.results.at(0).evaluation);
   EXPECT_THAT(to_table(*sequence_.open(), benchmark),
-              testing::ContainsRegex("\\| scripted \\| +- \\| +- \\| +- \\| +- \\| +- \\| +0 \\|"));
+              testing::ContainsRegex("\\| scripted \\| +- \\| +- \\| +- \\| +- \\| +- \\| +0 \\| +- \\|"));
 }
 
 TEST_F(OdometryBenchmarkTest, ASystemThatIsNotBuiltInSaysSo) {

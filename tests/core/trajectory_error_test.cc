@@ -168,11 +168,43 @@ TEST(SelectPairs, ByMetresOfAStandingCameraTakesTheFirstOfEquals) {
 TEST(SelectPairs, BySecondsIsTheFirstAtLeastThatFar) {
   auto poses = line(6);
   poses[3].stamp = milliseconds(340);  // 240 ms after poses[1]: within 50 ms of 0.2 s
-  poses[5].stamp = milliseconds(600);  // 260 ms after poses[3]: beyond
+  poses[5].stamp = milliseconds(650);  // 310 ms after poses[3]: more than a usual step beyond
   EXPECT_THAT(pairs_of(poses, {.delta = 0.2}),
               ElementsAre(Pair(0, 2), Pair(1, 3), Pair(2, 4), Pair(4, 5)));
   EXPECT_THAT(pairs_of(poses, {.delta = 0.2, .all_pairs = false}),
               ElementsAre(Pair(0, 2), Pair(2, 4), Pair(4, 5)));
+}
+
+TEST(SelectPairs, BySecondsMayMissTheDeltaByOneStepOfALowRate) {
+  // 0.25 s are two and a half steps: the third pose is 50 ms beyond, with 0.1 s between poses.
+  EXPECT_THAT(pairs_of(line(5), {.delta = 0.21, .time_tolerance = 0.01}),
+              ElementsAre(Pair(0, 3), Pair(1, 4)));
+}
+
+TEST(WrongPoses, AreThoseSinceTheLastRightOneUntilTheEstimateIsBack) {
+  const auto truth = line(6);  // 1 m a step
+  auto estimate = truth;
+  for (const std::size_t i : {2U, 3U}) {
+    SE3& pose = estimate[i].T_world_camera;
+    pose = SE3(so3_exp({0, 0, i == 3 ? 0.1 : 0}), pose.translation() + Vector3(0, 0.2, 0));
+  }
+  const auto wrong = find_wrong_poses(match(truth, estimate));
+  ASSERT_EQ(wrong.size(), 2U);
+  EXPECT_EQ(wrong[0].stamp, truth[2].stamp);
+  EXPECT_NEAR(wrong[0].translation, 0.2, 1e-12);
+  EXPECT_EQ(wrong[1].stamp, truth[3].stamp);
+  EXPECT_NEAR(wrong[1].rotation, 0.1, 1e-12);
+}
+
+TEST(WrongPoses, ADriftIsNotWrong) {
+  const auto truth = line(6);
+  auto estimate = truth;
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    SE3& pose = estimate[i].T_world_camera;
+    pose = SE3(pose.rotation(), pose.translation() * 1.09);  // 9 cm a step
+  }
+  EXPECT_TRUE(find_wrong_poses(match(truth, estimate)).empty());
+  EXPECT_EQ(find_wrong_poses(match(truth, estimate), {.translation = 0.08}).size(), 5U);
 }
 
 TEST(RelativePoseError, RejectsImpossibleOptions) {
