@@ -71,7 +71,7 @@ suite: program ## Run sequences, modes and perturbations, write docs/results/sui
 
 .PHONY: low-rates
 low-rates: program ## Run the suite on thinned recordings, write docs/results/low-rates.md
-	NAME=low-rates TITLE='Low frame rates' bench/run_suite.sh --config set=low_rates modes=slam
+	NAME=low-rates TITLE='Low frame rates' bench/run_suite.sh --config set=low_rates
 
 .PHONY: cost-of-runs
 cost-of-runs: program ## Compare whole runs with reading the files, write docs/results/cost-of-runs.md

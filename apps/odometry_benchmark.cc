@@ -24,13 +24,17 @@ class TrackerSystem final : public OdometrySystem {
   TrackerSystem(const Camera& camera, const TrackerOptions& options) : tracker_(camera, options) {}
 
   std::optional<SE3> track(const RgbdFrame& frame) override {
-    const FrameRecord record = tracker_.track(frame).record;
+    const FrameRecord& record = records_.emplace_back(tracker_.track(frame).record);
     if (record.status == TrackingStatus::kLost) return std::nullopt;
     return record.T_world_camera;
   }
 
+  /// Frames of other submaps than the longest count as lost, as in `run`.
+  std::optional<Trajectory> finish() override { return to_trajectory(records_); }
+
  private:
   Tracker tracker_;
+  std::vector<FrameRecord> records_;
 };
 
 struct Entry {

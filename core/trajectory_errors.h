@@ -158,8 +158,8 @@ struct RelativePoseError {
 
 /// From which error on a motion is wrong, as no drift is: the tracker has slipped.
 struct WrongMotion {
-  double translation = 0.10;                                ///< [m]
-  double rotation = 5 * std::numbers::pi / 180;             ///< [rad]
+  double translation = 0.10;                     ///< [m]
+  double rotation = 5 * std::numbers::pi / 180;  ///< [rad]
 };
 
 /// Returns the matches that are wrong, with the error of their motion since the last one that was

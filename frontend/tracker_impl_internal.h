@@ -78,6 +78,7 @@ struct Tracker::Impl {
   int submap = 0;
   int lost_in_a_row = 0;
   Timestamp first_lost;                 // stamp of the first of these
+  SE3 T_predicted;                      // of the frame in work
   std::optional<SE3> T_keyframe_found;  // by features, of the frame in work to the keyframe
 
   TrackedFrame track(const RgbdFrame& given, const StartFinder& find_start);
@@ -94,7 +95,7 @@ struct Tracker::Impl {
   }
 
   [[nodiscard]] bool is_lost_for_long() const;
-  [[nodiscard]] bool is_far(const Timestamp& stamp) const;
+  [[nodiscard]] SE3 pose_as_seen(const SE3& T_last_camera) const;
   Registered register_frame(const StartFinder& find_start);
   void try_found_start(const StartFinder& find_start, Registered& best);
   void refuse_if_doubtful(Registered& registered) const;

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/frontend/image_rotation_internal.h"
 #include "cvo_slam/frontend/tracker_impl_internal.h"
 
 namespace cvo_slam {
 
-/// Returns true if the camera may have left its predicted way by more than fine kernels reach: a
-/// hand turns ever faster by 20 rad/s^2 at most, in this time by 0.025 rad, and points 2 m away
-/// move by 0.05 m.
-bool Tracker::Impl::is_far(const Timestamp& stamp) const {
-  constexpr double kLongestPrediction = 0.05;  // [s]
-  return seconds_between(motion.last_stamp(), stamp) > kLongestPrediction;
+/// Returns where the camera is expected after a motion since the last tracked frame, turned as the
+/// images say.
+SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
+  return motion.last_pose() *
+         turned_as_seen(T_last_camera, last_tracked.images.color, frame.images.color, camera.color);
 }
 
 /// Does not believe a registration that is likely to be wrong.
@@ -26,11 +26,11 @@ void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
 }
 
 /// Registers from the predicted pose; if that fails, with all length scales, and so too if the last
-/// frame is long ago: the more similar of the two answers is taken; if that fails too,
-/// without the velocity; and at last to the last tracked frame, the most similar one there is. That
-/// attempt makes it the keyframe, which it stays even if the attempt fails. A failure also forgets
-/// the velocity. The first success with a keyframe that was made without it, as at a start, makes
-/// that keyframe again.
+/// frame is long ago: the more similar of the two answers is taken; if that fails too, from the
+/// last pose, turned as the images say; and at last from there to the last tracked frame, the most
+/// similar one there is. That attempt makes it the keyframe, which it stays even if the attempt
+/// fails. A failure also forgets the velocity. The first success with a keyframe that was made
+/// without it, as at a start, makes that keyframe again.
 Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   const Timestamp stamp = frame.images.stamp;
   T_keyframe_found.reset();
@@ -43,9 +43,13 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   const bool predict = options.prediction == Prediction::kConstantVelocity;
   const bool from_velocity = predict && motion.has_velocity();
   const int skip = from_velocity ? options.recovery_scales : 0;
-  const SE3 T_init = predict ? motion.predict(stamp) : keyframe->T_world_camera;
+  T_predicted = motion.predict(stamp);
+  // The velocity of long ago says little: a hand turns back at any time.
+  const bool is_far = motion.is_far(stamp);
+  if (predict && is_far) T_predicted = pose_as_seen(motion.last_pose().inverse() * T_predicted);
+  const SE3 T_init = predict ? T_predicted : keyframe->T_world_camera;
   Registered registered = register_from(T_init, skip);
-  if (skip > 0 && (!registered.is_believed() || is_far(stamp))) {
+  if (skip > 0 && (!registered.is_believed() || is_far)) {
     const Registered wider = register_from(T_init, 0);
     const bool is_better =
         !registered.is_believed() ||
@@ -58,13 +62,13 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   }
   refuse_if_doubtful(registered);
   if (!registered.is_believed() && from_velocity) {
-    registered = register_from(motion.last_pose(), 0);
+    registered = register_from(pose_as_seen(SE3()), 0);
     refuse_if_doubtful(registered);
   }
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
     make_keyframe();
     T_keyframe_found.reset();
-    registered = register_from(motion.last_pose(), 0);
+    registered = register_from(pose_as_seen(SE3()), 0);
     if (!registered.is_believed() || registered.doubt > kDoubtful) {
       try_found_start(find_start, registered);
     }
@@ -142,7 +146,7 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
   registered.fault = find_fault(registered.result, situation, options.lost);
   if (registered.result.status == RegistrationStatus::kFailed) return registered;
   registered.evidence =
-      evidence_of(registered.result, motion.predict(stamp).inverse() * registered.T_world_camera,
+      evidence_of(registered.result, T_predicted.inverse() * registered.T_world_camera,
                   situation.seconds, usual);
   if (T_keyframe_found) {
     registered.evidence.features = opinion_on(registered.result.T_fixed_moving, *T_keyframe_found);
