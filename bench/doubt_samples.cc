@@ -14,9 +14,11 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <opencv2/core/mat.hpp>
 
 #include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/core/association.h"
+#include "cvo_slam/frontend/image_rotation_internal.h"
 #include "cvo_slam/frontend/motion_model_internal.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/frontend/tracking_doubt_internal.h"
@@ -39,23 +41,34 @@ struct Arguments {
 /// What the tracker knew when it judged each frame, from its records.
 class Replay {
  public:
-  DoubtEvidence evidence(const FrameRecord& record, const SE3& T_world_camera) const {
+  explicit Replay(const PinholeCamera& camera) : camera_(camera) {}
+
+  DoubtEvidence evidence(const FrameRecord& record, const cv::Mat& color,
+                         const SE3& T_world_camera) const {
     const double seconds = seconds_between(motion_.last_stamp(), record.stamp);
+    SE3 T_last_predicted = motion_.last_pose().inverse() * motion_.predict(record.stamp);
+    if (motion_.is_far(record.stamp)) {
+      T_last_predicted = turned_as_seen(T_last_predicted, last_color_, color, camera_);
+    }
     return evidence_of(record.registration,
-                       motion_.predict(record.stamp).inverse() * T_world_camera, seconds, usual_);
+                       (motion_.last_pose() * T_last_predicted).inverse() * T_world_camera, seconds,
+                       usual_);
   }
-  void add(const FrameRecord& record) {
+  void add(const FrameRecord& record, const cv::Mat& color) {
     if (record.status == TrackingStatus::kLost) {
       motion_.forget_velocity();
       return;
     }
     motion_.update(record.stamp, record.T_world_camera);
+    last_color_ = color;
     if (record.keyframe != record.index) usual_.add(record.registration.cos_theta);
     if (record.keyframe == record.index) motion_.forget_velocity();
   }
 
  private:
+  PinholeCamera camera_;
   MotionModel motion_;
+  cv::Mat last_color_;
   UsualSimilarity usual_;
 };
 
@@ -71,7 +84,7 @@ void print_samples(const Dataset& data, std::size_t step, const Arguments& argum
     from_features = start.find(keyframe, frame);
     return from_features;
   };
-  Replay replay;
+  Replay replay(data.camera().color);
   std::vector<std::optional<SE3>> poses(data.size());  // as tracked
   const std::size_t end =
       arguments.frames > 0 ? std::min(arguments.frames, data.size()) : data.size();
@@ -81,15 +94,17 @@ void print_samples(const Dataset& data, std::size_t step, const Arguments& argum
   };
   for (std::size_t i = 0; i < end; i += step) {
     from_features.reset();
+    const RgbdFrame frame = data.read(i);
     const FrameRecord record =
-        tracker.track(data.read(i), arguments.with_features ? find_start : StartFinder()).record;
+        tracker.track(frame, arguments.with_features ? find_start : StartFinder()).record;
     const RegistrationResult& result = record.registration;
     const auto truth = truth_of(i);
     const auto keyframe_truth = truth_of(record.keyframe);
     const bool is_registered = result.status != RegistrationStatus::kFailed &&
                                record.keyframe != i && poses[record.keyframe];
     if (is_registered && truth && keyframe_truth) {
-      DoubtEvidence e = replay.evidence(record, *poses[record.keyframe] * result.T_fixed_moving);
+      DoubtEvidence e =
+          replay.evidence(record, frame.color, *poses[record.keyframe] * result.T_fixed_moving);
       if (from_features) e.features = opinion_on(result.T_fixed_moving, *from_features);
       const SE3 error = (keyframe_truth->inverse() * *truth).inverse() * result.T_fixed_moving;
       fmt::print("{},{},{},{},{},{:.5f},{:.5f},{:.4f},{:.4f},{:.6f},{:.5f},{:.4f},{}\n",
@@ -99,7 +114,7 @@ void print_samples(const Dataset& data, std::size_t step, const Arguments& argum
                  static_cast<int>(e.features));
     }
     if (record.status == TrackingStatus::kTracked) poses[i] = record.T_world_camera;
-    replay.add(record);
+    replay.add(record, frame.color);
   }
 }
 

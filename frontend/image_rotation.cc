@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -16,8 +17,6 @@ constexpr int kWidth = 40;  // [px]
 /// Least share of the pixels of one image that must be in the other one.
 constexpr double kLeastOverlap = 0.3;
 
-/// A tiny grey image with the mean 0 and the standard deviation 1, so that a change of exposure
-/// changes nothing.
 cv::Mat tiny_image(const cv::Mat& color, const cv::Size& size) {
   cv::Mat small;
   cv::resize(color, small, size, 0, 0, cv::INTER_AREA);
@@ -26,10 +25,7 @@ cv::Mat tiny_image(const cv::Mat& color, const cv::Size& size) {
   cv::Mat tiny;
   grey.convertTo(tiny, CV_32F);
   cv::GaussianBlur(tiny, tiny, {}, 1.0);
-  cv::Scalar mean;
-  cv::Scalar deviation;
-  cv::meanStdDev(tiny, mean, deviation);
-  return (tiny - mean[0]) / std::max(deviation[0], 1.0);
+  return tiny;
 }
 
 /// The camera of an image of that size with the same field of view.
@@ -46,21 +42,28 @@ PinholeCamera scaled(const PinholeCamera& camera, const cv::Size& size) {
   return tiny;
 }
 
-/// Sums over the pixels that two images have in common.
+/// Sums over the pixels that two images have in common. Their means there and their contrasts are
+/// taken out, so that a change of exposure changes nothing.
 struct Comparison {
   int count = 0;
-  double aa = 0, bb = 0, ab = 0;
+  double a = 0, b = 0, aa = 0, bb = 0, ab = 0;
 
-  void add(double a, double b) {
+  void add(double of_a, double of_b) {
     ++count;
-    aa += a * a;
-    bb += b * b;
-    ab += a * b;
+    a += of_a;
+    b += of_b;
+    aa += of_a * of_a;
+    bb += of_b * of_b;
+    ab += of_a * of_b;
   }
-  /// 0 where the images have too little in common.
-  [[nodiscard]] double correlation(double pixels) const {
-    if (count < kLeastOverlap * pixels || aa <= 0 || bb <= 0) return 0;
-    return ab / std::sqrt(aa * bb);
+  [[nodiscard]] double squares_of_a() const { return aa - a * a / count; }
+  [[nodiscard]] double squares_of_b() const { return bb - b * b / count; }
+  /// 0 where the images have too little in common, or nothing to compare.
+  [[nodiscard]] double correlation(std::size_t pixels) const {
+    constexpr double kLeastVariance = 1;  // [squared 8-bit values]
+    if (count < kLeastOverlap * static_cast<double>(pixels)) return 0;
+    if (std::min(squares_of_a(), squares_of_b()) < kLeastVariance * count) return 0;
+    return (ab - a * b / count) / std::sqrt(squares_of_a() * squares_of_b());
   }
 };
 
@@ -84,12 +87,28 @@ Sample sample(const cv::Mat& image, double u, double v) {
           left + a * (right - left)};
 }
 
-/// A step of Gauss-Newton: the images are compared at a rotation, with the normal equations of a
-/// turn by a small w, R <- exp(w) R.
+/// The images compared at a rotation R, with the sums of Gauss-Newton for a turn by a small w,
+/// R <- exp(w) R.
 struct Linearised {
   Comparison comparison;
-  Matrix3 hessian = Matrix3::Zero();
-  Vector3 gradient = Vector3::Zero();
+  Vector3 j = Vector3::Zero(), ja = Vector3::Zero(), jb = Vector3::Zero();
+  Matrix3 jj = Matrix3::Zero();
+
+  void add(const Vector3& jacobian, double a, double b) {
+    comparison.add(a, b);
+    j += jacobian;
+    ja += jacobian * a;
+    jb += jacobian * b;
+    jj += jacobian * jacobian.transpose();
+  }
+  /// The w that brings a, without its mean, nearest to b, scaled to the contrast of a.
+  [[nodiscard]] Vector3 step() const {
+    const int n = comparison.count;
+    const double contrast = std::sqrt(comparison.squares_of_a() / comparison.squares_of_b());
+    const Matrix3 hessian = jj - j * j.transpose() / n + 1e-9 * Matrix3::Identity();
+    const Vector3 gradient = ja - j * comparison.a / n - contrast * (jb - j * comparison.b / n);
+    return -hessian.ldlt().solve(gradient);
+  }
 };
 
 Linearised linearise(const cv::Mat& from, const cv::Mat& to, const PinholeCamera& camera,
@@ -105,13 +124,10 @@ Linearised linearise(const cv::Mat& from, const cv::Mat& to, const PinholeCamera
       const double v = camera.fy * q.y() / q.z() + camera.cy;
       if (u < 0 || v < 0 || u >= from.cols - 1 || v >= from.rows - 1) continue;
       const Sample s = sample(from, u, v);
-      sums.comparison.add(s.value, row[x]);
       const double gx = s.dx * camera.fx / q.z();
       const double gy = s.dy * camera.fy / q.z();
       const Vector3 by_q(gx, gy, -(gx * q.x() + gy * q.y()) / q.z());
-      const Vector3 jacobian = q.cross(by_q);
-      sums.hessian += jacobian * jacobian.transpose();
-      sums.gradient += jacobian * (s.value - row[x]);
+      sums.add(q.cross(by_q), s.value, row[x]);
     }
   }
   return sums;
@@ -124,13 +140,12 @@ ImageRotation refined(const cv::Mat& from, const cv::Mat& to, const PinholeCamer
   Matrix3 R = R_start;
   for (int i = 0; i < kSteps; ++i) {
     const Linearised at = linearise(from, to, camera, R);
-    if (at.comparison.correlation(static_cast<double>(to.total())) <= 0) return {R, 0};
-    const Vector3 w = -(at.hessian + 1e-9 * Matrix3::Identity()).ldlt().solve(at.gradient);
+    if (at.comparison.correlation(to.total()) == 0) return {R, 0};
+    const Vector3 w = at.step();
     R = so3_exp(w) * R;
     if (w.norm() < kConverged) break;
   }
-  return {R,
-          linearise(from, to, camera, R).comparison.correlation(static_cast<double>(to.total()))};
+  return {R, linearise(from, to, camera, R).comparison.correlation(to.total())};
 }
 
 /// The correlation if what is at (x, y) in `to` is at (x + dx, y + dy) in `from`.
@@ -143,7 +158,7 @@ double correlation_of_shift(const cv::Mat& from, const cv::Mat& to, int dx, int 
       sums.add(a[x + dx], b[x]);
     }
   }
-  return sums.correlation(static_cast<double>(to.total()));
+  return sums.correlation(to.total());
 }
 
 /// The turn about the camera's x and y axes that shifts the middle of the image.
