@@ -22,6 +22,7 @@
 #include "cvo_slam/frontend/motion_model_internal.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/frontend/tracking_doubt_internal.h"
+#include "cvo_slam/frontend/tracking_judgement_internal.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/loop/loop_detector.h"
 #include "cvo_slam/slam/feature_start_internal.h"
@@ -46,13 +47,19 @@ class Replay {
   DoubtEvidence evidence(const FrameRecord& record, const cv::Mat& color,
                          const SE3& T_world_camera) const {
     const double seconds = seconds_between(motion_.last_stamp(), record.stamp);
-    SE3 T_last_predicted = motion_.last_pose().inverse() * motion_.predict(record.stamp);
-    if (motion_.is_far(record.stamp)) {
-      T_last_predicted = turned_as_seen(T_last_predicted, last_color_, color, camera_);
+    const SE3 T_last_predicted = motion_.last_pose().inverse() * motion_.predict(record.stamp);
+    const SE3 T_last_camera = motion_.last_pose().inverse() * T_world_camera;
+    const auto evidence_with = [&](const SE3& T_last_expected) {
+      return evidence_of(record.registration,
+                         surprise_of(T_last_expected.inverse() * T_last_camera), seconds, usual_);
+    };
+    DoubtEvidence evidence = evidence_with(T_last_predicted);
+    if (motion_.is_far(record.stamp) || doubt_of(evidence) > kDoubtful) {
+      const DoubtEvidence as_seen =
+          evidence_with(turned_as_seen(T_last_predicted, last_color_, color, camera_));
+      evidence.surprise = std::min(evidence.surprise, as_seen.surprise);
     }
-    return evidence_of(record.registration,
-                       (motion_.last_pose() * T_last_predicted).inverse() * T_world_camera, seconds,
-                       usual_);
+    return evidence;
   }
   void add(const FrameRecord& record, const cv::Mat& color) {
     if (record.status == TrackingStatus::kLost) {

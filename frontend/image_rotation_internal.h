@@ -15,9 +15,9 @@ struct ImageRotation {
   double correlation = 0;  ///< of the two tiny images where they overlap, at most 1
 };
 
-/// Finds how a camera has turned between two images (CV_8UC3 or CV_8UC1 of the camera's size), as if it
-/// had not moved otherwise: what one sees moves alike then, whatever its depth is. The images are
-/// made so small and blurred that a turn by a third of the field of view is a few pixels, as in
+/// Finds how a camera has turned between two images (CV_8UC3 or CV_8UC1 of the camera's size), as
+/// if it had not moved otherwise: what one sees moves alike then, whatever its depth is. The images
+/// are made so small and blurred that a turn by a third of the field of view is a few pixels, as in
 /// G. Klein and D. Murray, "Improving the Agility of Keyframe-Based SLAM", ECCV 2008, section 3.4.
 /// All shifts of the image are tried, and `R_start`; the better one of these is refined by
 /// Gauss-Newton over SO(3). Takes a millisecond. Distortion is neglected.

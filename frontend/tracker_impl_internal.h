@@ -27,12 +27,12 @@ struct Registered {
   std::size_t keyframe = 0;  // index of its frame
   RegistrationResult result;
   SE3 T_world_camera;
-  std::string fault;       // why it is not believed; empty if it is
-  DoubtEvidence evidence;  // of its doubt
+  std::string fault;  // why it is not believed; empty if it is
   double doubt = 1;
   std::optional<std::size_t> promoted_keyframe = std::nullopt;
 
   [[nodiscard]] bool is_believed() const { return fault.empty(); }
+  [[nodiscard]] bool is_doubtful() const { return !is_believed() || doubt > kDoubtful; }
 };
 
 /// The keyframe that frames are registered to.
@@ -78,7 +78,8 @@ struct Tracker::Impl {
   int submap = 0;
   int lost_in_a_row = 0;
   Timestamp first_lost;                 // stamp of the first of these
-  SE3 T_predicted;                      // of the frame in work
+  SE3 T_predicted;                      // by the velocity, of the frame in work
+  std::optional<SE3> T_seen;            // the same, turned as the images say
   std::optional<SE3> T_keyframe_found;  // by features, of the frame in work to the keyframe
 
   TrackedFrame track(const RgbdFrame& given, const StartFinder& find_start);
@@ -95,11 +96,13 @@ struct Tracker::Impl {
   }
 
   [[nodiscard]] bool is_lost_for_long() const;
+  [[nodiscard]] double nearest_surprise(const SE3& T_world_camera) const;
   [[nodiscard]] SE3 pose_as_seen(const SE3& T_last_camera) const;
   Registered register_frame(const StartFinder& find_start);
   void try_found_start(const StartFinder& find_start, Registered& best);
   void refuse_if_doubtful(Registered& registered) const;
   Registered register_from(const SE3& T_world_camera_init, int skip);
+  void judge(Registered& registered) const;
   [[nodiscard]] TrackingSituation situation_of(const Registered& registered, bool is_lost) const;
   Registered register_to_remade_keyframe(const Registered& first);
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -17,6 +18,20 @@ SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
          turned_as_seen(T_last_camera, last_tracked.images.color, frame.images.color, camera.color);
 }
 
+/// Returns true if a registration is turned otherwise than a start by more than fine kernels reach.
+bool is_turned(const Registered& registered, const SE3& T_world_start) {
+  constexpr double kReach = 0.03;  // [rad]
+  return (T_world_start.inverse() * registered.T_world_camera).angle() > kReach;
+}
+
+/// Replaces a registration by another one that is more similar, or that is believed.
+void take_if_better(const Registered& other, Registered& registered) {
+  if (!registered.is_believed() ||
+      (other.is_believed() && other.result.cos_theta > registered.result.cos_theta)) {
+    registered = other;
+  }
+}
+
 /// Does not believe a registration that is likely to be wrong.
 void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
   if (!registered.is_believed() || registered.doubt <= options.lost.max_doubt) return;
@@ -25,12 +40,12 @@ void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
                   registered.doubt, options.lost.max_doubt);
 }
 
-/// Registers from the predicted pose; if that fails, with all length scales, and so too if the last
-/// frame is long ago: the more similar of the two answers is taken; if that fails too, from the
-/// last pose, turned as the images say; and at last from there to the last tracked frame, the most
-/// similar one there is. That attempt makes it the keyframe, which it stays even if the attempt
-/// fails. A failure also forgets the velocity. The first success with a keyframe that was made
-/// without it, as at a start, makes that keyframe again.
+/// Registers from the predicted pose. If that fails or is doubtful, or if the last frame is long
+/// ago, also with all length scales, from where the images say that the camera has turned: the more
+/// similar of the two answers is taken. If that fails too, without the velocity, and at last to
+/// the last tracked frame, the most similar one there is. That attempt makes it the keyframe, which
+/// it stays even if the attempt fails. A failure also forgets the velocity. The first success with
+/// a keyframe that was made without it, as at a start, makes that keyframe again.
 Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   const Timestamp stamp = frame.images.stamp;
   T_keyframe_found.reset();
@@ -42,24 +57,20 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   }
   const bool predict = options.prediction == Prediction::kConstantVelocity;
   const bool from_velocity = predict && motion.has_velocity();
-  const int skip = from_velocity ? options.recovery_scales : 0;
   T_predicted = motion.predict(stamp);
+  T_seen.reset();
+  Registered registered = register_from(predict ? T_predicted : keyframe->T_world_camera,
+                                        from_velocity ? options.recovery_scales : 0);
   // The velocity of long ago says little: a hand turns back at any time.
-  const bool is_far = motion.is_far(stamp);
-  if (predict && is_far) T_predicted = pose_as_seen(motion.last_pose().inverse() * T_predicted);
-  const SE3 T_init = predict ? T_predicted : keyframe->T_world_camera;
-  Registered registered = register_from(T_init, skip);
-  if (skip > 0 && (!registered.is_believed() || is_far)) {
-    const Registered wider = register_from(T_init, 0);
-    const bool is_better =
-        !registered.is_believed() ||
-        (wider.is_believed() && wider.result.cos_theta > registered.result.cos_theta);
-    if (is_better) registered = wider;
+  if (predict && (motion.is_far(stamp) || registered.is_doubtful())) {
+    T_seen = pose_as_seen(motion.last_pose().inverse() * T_predicted);
+    judge(registered);
+    if (from_velocity) take_if_better(register_from(T_predicted, 0), registered);
+    if (!registered.is_believed() || is_turned(registered, *T_seen)) {
+      take_if_better(register_from(*T_seen, 0), registered);
+    }
   }
-  constexpr double kDoubtful = 0.02;  // a fiftieth of these are wrong
-  if (!registered.is_believed() || registered.doubt > kDoubtful) {
-    try_found_start(find_start, registered);
-  }
+  if (registered.is_doubtful()) try_found_start(find_start, registered);
   refuse_if_doubtful(registered);
   if (!registered.is_believed() && from_velocity) {
     registered = register_from(pose_as_seen(SE3()), 0);
@@ -69,9 +80,7 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
     make_keyframe();
     T_keyframe_found.reset();
     registered = register_from(pose_as_seen(SE3()), 0);
-    if (!registered.is_believed() || registered.doubt > kDoubtful) {
-      try_found_start(find_start, registered);
-    }
+    if (registered.is_doubtful()) try_found_start(find_start, registered);
     refuse_if_doubtful(registered);
     registered.promoted_keyframe = keyframe->frame;
   }
@@ -90,6 +99,7 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
   if (!find_start) return;
   T_keyframe_found = find_start(keyframe_images, frame.images);
   if (!T_keyframe_found) return;
+  judge(best);  // it is from before the features were asked
   Registered found =
       register_from(keyframe->T_world_camera * *T_keyframe_found, options.recovery_scales);
   const auto opinion = [&](const Registered& registered) {
@@ -118,9 +128,6 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
   } else if (best_is_elsewhere && !is_certain(best)) {
     best.fault = "the features of the images say that the camera is elsewhere";
   }
-  if (best.result.status == RegistrationStatus::kFailed) return;
-  best.evidence.features = opinion(best);  // it may be from before the features were asked
-  best.doubt = doubt_of(best.evidence);
 }
 
 /// Registers the frame in work to the keyframe from a start, and judges the result.
@@ -142,23 +149,36 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
     registered.result = registration.align(points, T_init, skip);
   }
   registered.T_world_camera = T_world_keyframe * registered.result.T_fixed_moving;
-  const TrackingSituation situation = situation_of(registered, lost_in_a_row > 0);
-  registered.fault = find_fault(registered.result, situation, options.lost);
-  if (registered.result.status == RegistrationStatus::kFailed) return registered;
-  registered.evidence =
-      evidence_of(registered.result, T_predicted.inverse() * registered.T_world_camera,
-                  situation.seconds, usual);
-  if (T_keyframe_found) {
-    registered.evidence.features = opinion_on(registered.result.T_fixed_moving, *T_keyframe_found);
-  }
-  registered.doubt = doubt_of(registered.evidence);
+  judge(registered);
   return registered;
+}
+
+/// How far a pose is from the nearest one that is predicted.
+double Tracker::Impl::nearest_surprise(const SE3& T_world_camera) const {
+  const double by_velocity = surprise_of(T_predicted.inverse() * T_world_camera);
+  return T_seen ? std::min(by_velocity, surprise_of(T_seen->inverse() * T_world_camera))
+                : by_velocity;
+}
+
+/// Finds the doubt of a registration and whether it is believed.
+void Tracker::Impl::judge(Registered& registered) const {
+  const RegistrationResult& result = registered.result;
+  if (result.status != RegistrationStatus::kFailed) {
+    const double seconds = seconds_between(motion.last_stamp(), frame.images.stamp);
+    DoubtEvidence evidence =
+        evidence_of(result, nearest_surprise(registered.T_world_camera), seconds, usual);
+    if (T_keyframe_found) {
+      evidence.features = opinion_on(result.T_fixed_moving, *T_keyframe_found);
+    }
+    registered.doubt = doubt_of(evidence);
+  }
+  registered.fault = find_fault(result, situation_of(registered, lost_in_a_row > 0), options.lost);
 }
 
 /// How far the frame in work would be from the last tracked one.
 TrackingSituation Tracker::Impl::situation_of(const Registered& registered, bool is_lost) const {
   return {motion.last_pose().inverse() * registered.T_world_camera,
-          seconds_between(motion.last_stamp(), frame.images.stamp), is_lost};
+          seconds_between(motion.last_stamp(), frame.images.stamp), registered.doubt, is_lost};
 }
 
 /// The first keyframe of a submap was made before its motion was known. Makes it again with the

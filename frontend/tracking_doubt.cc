@@ -57,14 +57,18 @@ double UsualSimilarity::share(double cos_theta) const {
   return count_ == 0 || mean_ <= 0 ? 1 : cos_theta / mean_;
 }
 
-DoubtEvidence evidence_of(const RegistrationResult& result, const SE3& T_predicted_camera,
-                          double seconds, const UsualSimilarity& usual) {
+double surprise_of(const SE3& T_predicted_camera) {
+  return std::max(T_predicted_camera.translation().norm(), T_predicted_camera.angle());
+}
+
+DoubtEvidence evidence_of(const RegistrationResult& result, double surprise, double seconds,
+                          const UsualSimilarity& usual) {
   const Matrix6& covariance = result.covariance;
   return {result.overlap,
           usual.share(result.cos_theta),
           std::max(largest_sigma(covariance.topLeftCorner<3, 3>()),
                    largest_sigma(covariance.bottomRightCorner<3, 3>())),
-          std::max(T_predicted_camera.translation().norm(), T_predicted_camera.angle()),
+          surprise,
           seconds,
           FeatureOpinion::kNone};
 }

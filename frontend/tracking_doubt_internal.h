@@ -21,7 +21,7 @@ struct DoubtEvidence {
   double overlap = 0;             ///< RegistrationResult::overlap
   double relative_cos_theta = 0;  ///< its cos_theta, as a share of what is usual
   double sigma = 0;     ///< the larger standard deviation, each in its least certain direction
-  double surprise = 0;  ///< the larger difference from where the last velocity leads
+  double surprise = 0;  ///< how far it is from where it was predicted: surprise_of()
   double seconds = 0;   ///< time since the last tracked frame
   FeatureOpinion features = FeatureOpinion::kNone;
 };
@@ -48,9 +48,12 @@ class UsualSimilarity {
   int count_ = 0;
 };
 
-/// `T_predicted_camera` is the camera in its predicted frame.
-[[nodiscard]] DoubtEvidence evidence_of(const RegistrationResult& result,
-                                        const SE3& T_predicted_camera, double seconds,
-                                        const UsualSimilarity& usual);
+/// Returns how far a camera is from where it was predicted, from its pose in its predicted frame:
+/// the larger one of translation [m] and angle [rad].
+[[nodiscard]] double surprise_of(const SE3& T_predicted_camera);
+
+/// Returns the evidence before features are asked.
+[[nodiscard]] DoubtEvidence evidence_of(const RegistrationResult& result, double surprise,
+                                        double seconds, const UsualSimilarity& usual);
 
 }  // namespace cvo_slam

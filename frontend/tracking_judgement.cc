@@ -51,6 +51,7 @@ std::string find_fault(const RegistrationResult& result, const TrackingSituation
   std::string mismatch = find_mismatch(
       result, situation.is_lost ? limits_after_loss(situation.seconds, limits) : limits);
   if (!mismatch.empty()) return mismatch;
+  if (situation.doubt <= kDoubtful) return {};
   return find_motion_fault(situation.T_last_camera, situation.seconds, limits);
 }
 

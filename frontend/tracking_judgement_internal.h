@@ -11,16 +11,21 @@
 
 namespace cvo_slam {
 
+/// From this doubt on another opinion is asked for: a fiftieth of such registrations are wrong.
+constexpr double kDoubtful = 0.02;
+
 /// What a judgement of a registration needs besides its result.
 struct TrackingSituation {
   SE3 T_last_camera;     ///< motion since the last tracked frame
   double seconds = 0;    ///< time since the last tracked frame; positive
+  double doubt = 1;      ///< as in FrameRecord
   bool is_lost = false;  ///< true if the frame before was lost
 };
 
 /// Returns why a registration is not believed; empty if it is. A lost camera may be anywhere, the
 /// longer the further, and every image has something that resembles the keyframe: more overlap and
-/// a larger cos_theta are asked for then.
+/// a larger cos_theta are asked for then. A motion above the largest speed is believed if it is not
+/// doubtful otherwise: stamps may be counted and not measured.
 [[nodiscard]] std::string find_fault(const RegistrationResult& result,
                                      const TrackingSituation& situation, const LostOptions& limits);
 

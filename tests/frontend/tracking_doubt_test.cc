@@ -63,7 +63,8 @@ TEST(Doubt, EvidenceIsTakenFromTheResult) {
   result.cos_theta = 0.2;
   result.covariance.diagonal() << 1e-6, 4e-6, 9e-6, 1e-8, 4e-8, 1e-8;
   const SE3 T_predicted_camera(so3_exp({0, 0.1, 0}), {0.03, 0, 0.04});
-  const DoubtEvidence evidence = evidence_of(result, T_predicted_camera, 0.2, UsualSimilarity());
+  const DoubtEvidence evidence =
+      evidence_of(result, surprise_of(T_predicted_camera), 0.2, UsualSimilarity());
   EXPECT_EQ(evidence.overlap, 0.7);
   EXPECT_EQ(evidence.relative_cos_theta, 1);
   EXPECT_NEAR(evidence.sigma, 3e-3, 1e-9);
