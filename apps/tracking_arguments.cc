@@ -57,6 +57,11 @@ void DatasetArguments::add_to(Command& command) {
               "Largest difference between the stamps of a colour and a depth image that make a "
               "frame [s] (default 0.02)");
   command
+      .add("--frame-rate", &options.frame_rate,
+           "Frames a second of a recording whose images are numbered and have no stamps [Hz] "
+           "(default: 30, or less if the images say so)")
+      .in_range(0.01, 1000.0);
+  command
       .add(
           "--depth-offset", &depth_offset,
           "Time to add to the stamps of the depth images [s]; auto = that of the camera file, else "

@@ -24,7 +24,8 @@ double doubt_of(const DoubtEvidence& evidence) {
   constexpr double kStep = 0.02;  // [m, rad]; what a hand's velocity changes by in a frame
   constexpr double kRate = 30;    // [1/s]
   // One for each term, in the order of bench/fit_doubt.py.
-  constexpr std::array kCoefficients = {0.232, -7.952, -1.690, 0.192, 2.333, 0.101, -4.354, 1.856};
+  constexpr std::array kCoefficients = {-0.679, -5.833, -2.144, -0.300,
+                                        3.274,  -0.139, -4.498, 2.048};
   const std::array<double, kCoefficients.size()> terms = {
       1,
       evidence.overlap,

@@ -14,6 +14,7 @@
 #include "cvo_slam/io/camera_check.h"
 #include "cvo_slam/io/dataset/camera_choice_internal.h"
 #include "cvo_slam/io/dataset/formats_internal.h"
+#include "cvo_slam/io/dataset/frame_rate_internal.h"
 #include "cvo_slam/io/image_files_internal.h"
 
 namespace cvo_slam {
@@ -122,16 +123,26 @@ std::unique_ptr<Dataset> open_dataset(const Path& folder, const DatasetOptions& 
   if (!(std::fabs(options.depth_offset.value_or(0)) <= kMostSeconds)) {
     throw OptionError("depth_offset must be at most a million seconds");
   }
+  if (!(options.frame_rate.value_or(1) >= 0.01 && options.frame_rate.value_or(1) <= 1000)) {
+    throw OptionError("frame_rate must be from 0.01 to 1000 Hz");
+  }
   const DatasetFormat& format = recognise_format(folder, options);
   PairingOptions pairing = {options.associations, options.max_stamp_difference,
                             options.depth_offset.value_or(0)};
+  pairing.frame_rate = options.frame_rate.value_or(pairing.frame_rate);
   Sequence sequence = format.open(folder, pairing);
   ChosenCamera camera = known_camera(folder, options, format, sequence);
   if (options.depth_offset) camera.camera.depth_offset = options.depth_offset;
+  std::optional<LikelyFrameRate> likely;
+  if (sequence.has_counted_stamps && !options.frame_rate) {
+    likely = likely_frame_rate(sequence, camera.camera, pairing.frame_rate);
+  }
   const double depth_offset = camera.camera.depth_offset.value_or(0);
-  if (depth_offset != pairing.depth_offset) {  // the camera's own
-    pairing.depth_offset = depth_offset;
+  if (depth_offset != pairing.depth_offset || likely) {
+    pairing.depth_offset = depth_offset;  // the camera's own
+    if (likely) pairing.frame_rate = likely->rate;
     sequence = format.open(folder, pairing);
+    if (likely) sequence.notes.push_back(likely->note);
   }
   return std::make_unique<SequenceDataset>(folder, format, std::move(camera), std::move(sequence));
 }

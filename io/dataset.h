@@ -32,6 +32,10 @@ struct DatasetOptions {
   /// million. Images are paired by the stamps with it. If it is not 0, every colour image takes its
   /// nearest depth image, which two may share; else no image is in two frames.
   std::optional<double> depth_offset = std::nullopt;
+  /// The frame rate of a recording whose images are numbered and have no stamps [Hz], from 0.01 to
+  /// 1000; of no use to others. Empty: 30 Hz, or less where the camera turns by so much from image
+  /// to image that it cannot be that; a note says what was assumed.
+  std::optional<double> frame_rate = std::nullopt;
 };
 
 /// Numbers of images that have no partner and therefore are in no frame.

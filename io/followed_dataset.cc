@@ -16,6 +16,7 @@
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/io/dataset/camera_choice_internal.h"
+#include "cvo_slam/io/dataset/formats_internal.h"
 
 namespace cvo_slam {
 namespace {
@@ -99,6 +100,8 @@ FollowedDataset::FollowedDataset(fs::path folder, DatasetOptions options, Follow
       options_(std::move(options)),
       follow_(std::move(follow)),
       watch_(std::make_unique<FolderWatch>()) {
+  // One rate for the whole recording, of which there is nothing yet to guess it from.
+  options_.frame_rate = options_.frame_rate.value_or(PairingOptions().frame_rate);
   constexpr double kMostSeconds = 1e6;
   if (!(follow_.end_after > 0 && follow_.end_after <= kMostSeconds)) {
     throw OptionError("end_after must be above 0 and at most a million seconds");

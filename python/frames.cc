@@ -35,12 +35,14 @@ std::unique_ptr<Dataset> open(const std::filesystem::path& folder,
                               const std::optional<Camera>& camera,
                               const std::optional<std::filesystem::path>& associations,
                               double max_stamp_difference,
-                              const std::optional<double>& depth_offset) {
+                              const std::optional<double>& depth_offset,
+                              const std::optional<double>& frame_rate) {
   const py::gil_scoped_release release;
   return open_dataset(folder, {.camera = camera,
                                .max_stamp_difference = max_stamp_difference,
                                .associations = associations,
-                               .depth_offset = depth_offset});
+                               .depth_offset = depth_offset,
+                               .frame_rate = frame_rate});
 }
 
 /// True if the user has pressed Ctrl-C; Python's exception is set then.
@@ -64,13 +66,15 @@ auto waiting(const Function& function) {
 std::unique_ptr<FollowedDataset> follow(const std::filesystem::path& folder, double end_after,
                                         const std::optional<Camera>& camera,
                                         double max_stamp_difference,
-                                        const std::optional<double>& depth_offset) {
+                                        const std::optional<double>& depth_offset,
+                                        const std::optional<double>& frame_rate) {
   return waiting([&] {
     return std::make_unique<FollowedDataset>(
         folder,
         DatasetOptions{.camera = camera,
                        .max_stamp_difference = max_stamp_difference,
-                       .depth_offset = depth_offset},
+                       .depth_offset = depth_offset,
+                       .frame_rate = frame_rate},
         FollowOptions{.end_after = end_after, .stop = is_interrupted});
   });
 }
@@ -181,15 +185,15 @@ void bind_frames(py::module_& module) {
   module.def("open_dataset", &open, py::arg("folder"), py::kw_only(),
              py::arg("camera") = py::none(), py::arg("associations") = py::none(),
              py::arg("max_stamp_difference") = DatasetOptions().max_stamp_difference,
-             py::arg("depth_offset") = py::none(),
+             py::arg("depth_offset") = py::none(), py::arg("frame_rate") = py::none(),
              "Opens a recorded sequence in one of the formats of docs/guide/your-camera.md.\n\n"
              "camera: a Camera in place of the recording's own; associations: a file that pairs "
              "the images; max_stamp_difference [s] of a pair; depth_offset: what is added to depth "
-             "stamps [s].");
+             "stamps [s]; frame_rate: of images that are numbered and have no stamps [Hz].");
   module.def("follow_dataset", &follow, py::arg("folder"), py::kw_only(),
              py::arg("end_after") = FollowOptions().end_after, py::arg("camera") = py::none(),
              py::arg("max_stamp_difference") = DatasetOptions().max_stamp_difference,
-             py::arg("depth_offset") = py::none(),
+             py::arg("depth_offset") = py::none(), py::arg("frame_rate") = py::none(),
              "Follows a folder that a recorder writes to, and waits until there is something in "
              "it.\n\nend_after: the recording has ended when nothing has changed for so long [s]; "
              "the others as in open_dataset(). Ctrl-C ends the waiting.");

@@ -32,6 +32,8 @@ struct Sequence {
   std::vector<StampedPose> reference;
   /// True if the reference has the poses of the depth camera, false if those of the colour camera.
   bool reference_is_of_depth = false;
+  /// True if the stamps are counted at PairingOptions::frame_rate and not measured.
+  bool has_counted_stamps = false;
   std::vector<std::string> notes;
   /// A depth value that means "no measurement", as 0 always does.
   std::uint16_t invalid_depth = 0;
@@ -44,6 +46,7 @@ struct PairingOptions {
   std::optional<std::filesystem::path> associations;
   double max_stamp_difference = 0.02;  ///< [s], if there is no list of pairs
   double depth_offset = 0;             ///< added to the stamps of depth images first [s]
+  double frame_rate = 30;              ///< of images that are numbered and not stamped [Hz]
 };
 
 /// A built-in camera, and why a sequence is taken to be recorded with it.

@@ -28,7 +28,8 @@ namespace {
 using Path = std::filesystem::path;
 
 /// Of names that number the frames.
-constexpr ClockUnit kFrames = {"frames", 30, 6};
+ClockUnit frames_at(double rate) { return {"frames", rate, 6}; }
+bool counts_frames(const ClockUnit& unit) { return unit.name == "frames"; }
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -111,13 +112,14 @@ NumberedImages list_images(const Path& folder) {
 
 /// Returns what the numbers of a folder count. A number with a fraction, and one that is a time
 /// from 1980 to 2096 in one of the units, is a stamp; others number the frames.
-ClockUnit unit_of(const NumberedImages& images) {
+ClockUnit unit_of(const NumberedImages& images, double frame_rate) {
   const auto& numbers = images.images;
   if (std::any_of(numbers.begin(), numbers.end(),
                   [](const auto& image) { return image.first.find('.') != std::string::npos; })) {
     return {"seconds", 1, 0};
   }
-  return clock_unit_of(parse_finite(numbers.front().first).value_or(0)).value_or(kFrames);
+  return clock_unit_of(parse_finite(numbers.front().first).value_or(0))
+      .value_or(frames_at(frame_rate));
 }
 
 /// Returns the stamp that a number means; empty if it is none.
@@ -125,7 +127,7 @@ std::optional<Timestamp> stamp_of_number(std::string_view number, const ClockUni
   if (unit.per_second == 1) return Timestamp::parse(number);
   const auto count = parse_integer<std::int64_t>(number);
   if (!count || static_cast<double>(*count) > kLatestStamp * unit.per_second) return std::nullopt;
-  if (unit.name == kFrames.name) {
+  if (counts_frames(unit)) {
     constexpr std::int64_t kMicrosecond = 1000;
     return Timestamp(
         std::llround(static_cast<double>(*count) * 1e6 / unit.per_second) * kMicrosecond,
@@ -198,8 +200,8 @@ Sequence open_image_folders(const Path& folder, const PairingOptions& options) {
                      "the images have no number in their names, so that it is not known "
                      "when they were taken; list them in rgb.txt and depth.txt");
   }
-  const ClockUnit unit = unit_of(color_images);
-  const ClockUnit depth_unit = unit_of(depth_images);
+  const ClockUnit unit = unit_of(color_images, options.frame_rate);
+  const ClockUnit depth_unit = unit_of(depth_images, options.frame_rate);
   if (unit.name != depth_unit.name) {
     throw InputError(folder,
                      fmt::format("the names of the colour images count {} and those of the depth "
@@ -216,10 +218,12 @@ Sequence open_image_folders(const Path& folder, const PairingOptions& options) {
   }
   add_notes(color_images, colors.size(), sequence);
   add_notes(depth_images, depths.size(), sequence);
+  sequence.has_counted_stamps = counts_frames(unit);
   sequence.notes.push_back(
-      unit.name == kFrames.name
-          ? fmt::format("stamps are the numbers in the names of the images, at an assumed {} Hz",
-                        kFrames.per_second)
+      sequence.has_counted_stamps
+          ? fmt::format("stamps are the numbers in the names of the images at {} Hz; "
+                        "--frame-rate sets it",
+                        unit.per_second)
           : fmt::format("stamps are the numbers in the names of the images, in {}", unit.name));
   add_reference(folder, sequence);
   return sequence;

@@ -70,10 +70,10 @@ std::map<int, NumberedFiles> list_frames(const Path& folder) {
   return frames;
 }
 
-/// Returns the stamp of a frame at 30 Hz, in whole microseconds as trajectory files have them.
-Timestamp stamp_of(int number) {
+/// Returns the stamp of a frame, in whole microseconds as trajectory files have them.
+Timestamp stamp_of(int number, double frame_rate) {
   constexpr std::int64_t kMicrosecond = 1000;
-  return Timestamp(std::llround(number * 1e6 / 30) * kMicrosecond);
+  return Timestamp(std::llround(number * 1e6 / frame_rate) * kMicrosecond);
 }
 
 /// Returns a camera-to-world matrix; empty if `file` is empty or holds none, as for frames that the
@@ -109,13 +109,14 @@ Sequence open_seven_scenes(const Path& folder, const PairingOptions& options) {
   Sequence sequence;
   sequence.invalid_depth = 65535;
   sequence.reference_is_of_depth = true;
+  sequence.has_counted_stamps = true;
   for (const auto& [number, files] : list_frames(folder)) {
     if (files.color.empty() || files.depth.empty()) {
       sequence.unpaired.color += files.color.empty() ? 0 : 1;
       sequence.unpaired.depth += files.depth.empty() ? 0 : 1;
       continue;
     }
-    const Timestamp stamp = stamp_of(number);
+    const Timestamp stamp = stamp_of(number, options.frame_rate);
     sequence.frames.push_back({stamp, stamp, files.color, files.depth});
     const auto T_world_depth = read_pose(files.pose);
     if (T_world_depth) sequence.reference.push_back({stamp, *T_world_depth});

@@ -48,7 +48,7 @@ TEST(ImageFolders, NumbersAreFramesAtThirtyHertzAndTheGuessIsSaid) {
   const auto data = open_names({"rgb/9.png", "rgb/10.png", "rgb/12.png"},
                                {"depth/9.png", "depth/10.png", "depth/11.png"});
   EXPECT_THAT(data.stamps, ElementsAre("0.300000", "0.333333"));
-  EXPECT_THAT(data.notes, testing::Contains(HasSubstr("at an assumed 30 Hz")));
+  EXPECT_THAT(data.notes, testing::Contains(HasSubstr("at 30 Hz; --frame-rate sets it")));
   EXPECT_THAT(data.notes, testing::Contains("1 colour and 1 depth images have no partner and are "
                                             "left out"));
 }

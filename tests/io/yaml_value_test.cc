@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cvo_slam/core/error.h"
 #include "cvo_slam/tests/io/tiny_sequence.h"
 
 namespace cvo_slam {
