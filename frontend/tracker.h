@@ -60,9 +60,11 @@ struct LostOptions {
   /// Least normalised inner product of the clouds, in [0, 1].
   double min_cos_theta = 0.1;
   /// Largest speed of the camera [m/s]. No hand moves a camera faster than 3 m/s: such a step is a
-  /// false registration. Raise it for vehicles and drones.
+  /// false registration, unless nothing else casts doubt on it (FrameRecord::doubt of at most 0.02;
+  /// stamps may be counted and not measured). Raise it for vehicles and drones.
   double max_speed = 3.0;
-  /// Largest angular speed of the camera [rad/s]. No hand turns a camera faster than 6 rad/s.
+  /// Largest angular speed of the camera [rad/s], in the same way. No hand turns a camera faster
+  /// than 6 rad/s.
   double max_angular_speed = 6.0;
   /// Largest probability that the pose is wrong by more than 5 cm or 3 degrees, in [0, 1]
   /// (FrameRecord::doubt); 1 = any. Lower it where a wrong pose is worse than none: 0.5 refuses
