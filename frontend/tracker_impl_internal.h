@@ -99,6 +99,7 @@ struct Tracker::Impl {
   [[nodiscard]] double nearest_surprise(const SE3& T_world_camera) const;
   [[nodiscard]] SE3 pose_as_seen(const SE3& T_last_camera) const;
   Registered register_frame(const StartFinder& find_start);
+  void try_seen_start(Registered& best);
   void try_found_start(const StartFinder& find_start, Registered& best);
   void refuse_if_doubtful(Registered& registered) const;
   Registered register_from(const SE3& T_world_camera_init, int skip);

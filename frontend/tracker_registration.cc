@@ -41,9 +41,9 @@ void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
 }
 
 /// Registers from the predicted pose. If that fails or is doubtful, or if the last frame is long
-/// ago, also with all length scales, from where the images say that the camera has turned: the more
-/// similar of the two answers is taken. If that fails too, without the velocity, and at last to
-/// the last tracked frame, the most similar one there is. That attempt makes it the keyframe, which
+/// ago, also from where the images say that the camera has turned, then from where its features
+/// say that it is. If that fails too, without the velocity, and at last to the last tracked frame,
+/// the most similar one there is. That attempt makes it the keyframe, which
 /// it stays even if the attempt fails. A failure also forgets the velocity. The first success with
 /// a keyframe that was made without it, as at a start, makes that keyframe again.
 Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
@@ -62,14 +62,7 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   Registered registered = register_from(predict ? T_predicted : keyframe->T_world_camera,
                                         from_velocity ? options.recovery_scales : 0);
   // The velocity of long ago says little: a hand turns back at any time.
-  if (predict && (motion.is_far(stamp) || registered.is_doubtful())) {
-    T_seen = pose_as_seen(motion.last_pose().inverse() * T_predicted);
-    judge(registered);
-    if (from_velocity) take_if_better(register_from(T_predicted, 0), registered);
-    if (!registered.is_believed() || is_turned(registered, *T_seen)) {
-      take_if_better(register_from(*T_seen, 0), registered);
-    }
-  }
+  if (predict && (motion.is_far(stamp) || registered.is_doubtful())) try_seen_start(registered);
   if (registered.is_doubtful()) try_found_start(find_start, registered);
   refuse_if_doubtful(registered);
   if (!registered.is_believed() && from_velocity) {
@@ -89,6 +82,18 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   }
   if (!registered.is_believed()) motion.forget_velocity();
   return registered;
+}
+
+/// Looks how the camera has turned. If the answer is doubtful or turned otherwise, registers again
+/// with all length scales, from the prediction and from there, and keeps the most similar answer.
+void Tracker::Impl::try_seen_start(Registered& best) {
+  T_seen = pose_as_seen(motion.last_pose().inverse() * T_predicted);
+  judge(best);
+  if (!best.is_doubtful() && !is_turned(best, *T_seen)) return;
+  if (motion.has_velocity()) take_if_better(register_from(T_predicted, 0), best);
+  if (!best.is_believed() || is_turned(best, *T_seen)) {
+    take_if_better(register_from(*T_seen, 0), best);
+  }
 }
 
 /// Registers from the start that `find_start` finds. Its answer replaces `best` if it stays near

@@ -17,9 +17,6 @@
 namespace cvo_slam {
 namespace {
 
-/// A smaller correction changes hardly a pair [s].
-constexpr double kSettled = 0.001;
-
 /// A value and its standard deviation.
 struct Estimate {
   double value = 0;
@@ -130,6 +127,12 @@ bool is_clearly_wrong(const Estimate& correction) {
   return std::fabs(correction.value) > std::max(kLarge, kClearly * correction.deviation);
 }
 
+/// Returns true if images need not be paired anew with the corrected offset.
+bool is_settled(const Estimate& correction) {
+  constexpr double kSettled = 0.001;  // [s]; a smaller correction changes hardly a pair
+  return std::fabs(correction.value) <= std::max(kSettled, 0.5 * correction.deviation);
+}
+
 /// Tracks until the correction is known well enough or the frames are at an end.
 std::optional<Estimate> measure(FrameSource& source, Round& round,
                                 const DepthOffsetOptions& options, std::size_t& seen) {
@@ -141,7 +144,8 @@ std::optional<Estimate> measure(FrameSource& source, Round& round,
     if (++seen % kCheckEvery != 0) continue;
     const auto correction = correction_of(round.pairs());
     if (!correction) continue;
-    const bool enough = seen >= options.min_frames && correction->deviation <= options.enough;
+    const std::size_t least = is_settled(*correction) ? options.settled_frames : options.min_frames;
+    const bool enough = seen >= least && correction->deviation <= options.enough;
     if (enough || is_clearly_wrong(*correction)) return correction;
   }
   return correction_of(round.pairs());
@@ -206,7 +210,7 @@ DepthOffset calibrate_depth_offset(const FramesPairedWith& open, const Camera& c
           fmt::format("the recording does not tell: the camera moves too little (+-{:.1f} ms)",
                       1e3 * correction->deviation));
     }
-    if (std::fabs(correction->value) <= std::max(kSettled, 0.5 * correction->deviation)) {
+    if (is_settled(*correction)) {
       return {true, offset, correction->deviation, seen,
               fmt::format("measured on {} frames, +-{:.1f} ms", seen, 1e3 * correction->deviation)};
     }
