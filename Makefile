@@ -73,6 +73,10 @@ suite: program ## Run sequences, modes and perturbations, write docs/results/sui
 low-rates: program ## Run the suite on thinned recordings, write docs/results/low-rates.md
 	NAME=low-rates TITLE='Low frame rates' bench/run_suite.sh --config set=low_rates
 
+.PHONY: depth-clock
+depth-clock: program ## Measure known depth offsets, write docs/results/depth-clock.md
+	bench/run_depth_clock.sh
+
 .PHONY: cost-of-runs
 cost-of-runs: program ## Compare whole runs with reading the files, write docs/results/cost-of-runs.md
 	cmake --preset release -DCVO_SLAM_BUILD_BENCH=ON > /dev/null && cmake --build build/release --target read_images

@@ -96,13 +96,14 @@ std::optional<EvaluationReport> evaluation_of(const std::vector<StampedPose>& re
   }
 }
 
-std::vector<PoseError> wrong_poses(const std::vector<StampedPose>& reference,
-                                   const std::vector<StampedPose>& tracked) {
-  if (reference.empty() || tracked.empty()) return {};
+std::optional<WrongFrames> wrong_frames(const std::vector<StampedPose>& reference,
+                                        const std::vector<StampedPose>& tracked) {
+  if (reference.empty() || tracked.empty()) return std::nullopt;
   try {
-    return find_wrong_poses(associate(reference, tracked, {.interpolate = true}));
+    const auto matches = associate(reference, tracked, {.interpolate = true});
+    return WrongFrames{matches.size(), find_wrong_poses(matches)};
   } catch (const DataError&) {  // the reference covers another time
-    return {};
+    return std::nullopt;
   }
 }
 
@@ -129,7 +130,7 @@ class Run {
       if (path) replace_poses(path->poses);
       result_.cpu = summarize(cpu_);
       result_.evaluation = evaluation_of(reference, result_.poses);
-      result_.wrong = wrong_poses(reference, tracked_);
+      result_.wrong = wrong_frames(reference, tracked_);
     }
     return std::move(result_);
   }

@@ -34,8 +34,8 @@ class OdometrySystem {
   /// Returns T_world_camera of the next frame, or nothing if the system lost it.
   [[nodiscard]] virtual std::optional<SE3> track(const RgbdFrame& frame) = 0;
 
-  /// Ends the sequence. Returns the whole path if the system knows it better now than when it
-  /// tracked; frames that it has no pose for are not in it.
+  /// Ends the sequence. Returns the whole path if the system knows more of it now than when it
+  /// tracked; frames that it has no pose for are not in it, and count as lost.
   [[nodiscard]] virtual std::optional<Trajectory> finish() { return std::nullopt; }
 };
 
@@ -59,17 +59,22 @@ struct Contestant {
 [[nodiscard]] std::unique_ptr<OdometrySystem> make_tracker_system(const Camera& camera,
                                                                   const TrackerOptions& options);
 
+/// Of the frames that are not lost those that are wrong: find_wrong_poses().
+struct WrongFrames {
+  std::size_t checked = 0;        ///< number of tracked frames whose true pose is known
+  std::vector<PoseError> frames;  ///< those of them that are wrong
+};
+
 /// The result of one system.
 struct ContestantResult {
   std::string name;
   std::string description;
-  bool built_in = true;            ///< if false, the members below have no meaning
-  std::size_t lost = 0;            ///< number of frames without a pose of their own
-  std::vector<StampedPose> poses;  ///< one for each frame; a lost frame repeats the last pose
-  /// Of the frames that are not lost those that are wrong; empty without a usable reference.
-  std::vector<PoseError> wrong;
-  Statistics cpu;                  ///< CPU time of the calling thread for a frame [s]
-  double finish_cpu = 0;           ///< CPU time of the work after the last frame [s]
+  bool built_in = true;              ///< if false, the members below have no meaning
+  std::size_t lost = 0;              ///< number of frames without a pose of their own
+  std::vector<StampedPose> poses;    ///< one for each frame; a lost frame repeats the last pose
+  std::optional<WrongFrames> wrong;  ///< empty without a usable reference
+  Statistics cpu;                    ///< CPU time of the calling thread for a frame [s]
+  double finish_cpu = 0;             ///< CPU time of the work after the last frame [s]
   std::optional<EvaluationReport> evaluation;  ///< empty without a usable reference
 };
 

@@ -94,8 +94,13 @@ Json json_of(const ContestantResult& result) {
       {"name", result.name}, {"description", result.description}, {"built_in", result.built_in}};
   if (!result.built_in) return json;
   json["lost"] = result.lost;
-  json["wrong"] = Json::array();
-  for (const PoseError& error : result.wrong) json["wrong"].push_back(json_of(error));
+  json["wrong"] = nullptr;
+  if (result.wrong) {
+    json["wrong"] = {{"checked", result.wrong->checked}, {"frames", Json::array()}};
+    for (const PoseError& error : result.wrong->frames) {
+      json["wrong"]["frames"].push_back(json_of(error));
+    }
+  }
   json["cpu_ms"] = milliseconds(result.cpu);
   json["finish_cpu_ms"] = result.finish_cpu * kMillisecondsInASecond;
   json["evaluation"] = nullptr;

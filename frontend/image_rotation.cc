@@ -13,7 +13,7 @@
 namespace cvo_slam {
 namespace {
 
-constexpr int kWidth = 40;  // [px]
+constexpr int kLongerSide = 40;  // [px]
 /// Least share of the pixels of one image that must be in the other one.
 constexpr double kLeastOverlap = 0.3;
 
@@ -103,9 +103,11 @@ struct Linearised {
   }
   /// The w that brings a, without its mean, nearest to b, scaled to the contrast of a.
   [[nodiscard]] Vector3 step() const {
+    constexpr double kDamping = 1e-4;
     const int n = comparison.count;
     const double contrast = std::sqrt(comparison.squares_of_a() / comparison.squares_of_b());
-    const Matrix3 hessian = jj - j * j.transpose() / n + 1e-9 * Matrix3::Identity();
+    Matrix3 hessian = jj - j * j.transpose() / n;
+    hessian += kDamping * hessian.trace() * Matrix3::Identity();  // keeps what is not seen as it is
     const Vector3 gradient = ja - j * comparison.a / n - contrast * (jb - j * comparison.b / n);
     return -hessian.ldlt().solve(gradient);
   }
@@ -187,7 +189,9 @@ Matrix3 rotation_of_best_shift(const cv::Mat& from, const cv::Mat& to,
 
 ImageRotation find_image_rotation(const cv::Mat& from, const cv::Mat& to,
                                   const PinholeCamera& camera, const Matrix3& R_start) {
-  const cv::Size size(kWidth, std::max(2, kWidth * camera.height / camera.width));
+  const int longer = std::max(camera.width, camera.height);
+  const cv::Size size(std::max(2, kLongerSide * camera.width / longer),
+                      std::max(2, kLongerSide * camera.height / longer));
   const PinholeCamera tiny = scaled(camera, size);
   const cv::Mat a = tiny_image(from, size);
   const cv::Mat b = tiny_image(to, size);

@@ -17,10 +17,11 @@ struct ImageRotation {
 
 /// Finds how a camera has turned between two images (CV_8UC3 or CV_8UC1 of the camera's size), as
 /// if it had not moved otherwise: what one sees moves alike then, whatever its depth is. The images
-/// are made so small and blurred that a turn by a third of the field of view is a few pixels, as in
-/// G. Klein and D. Murray, "Improving the Agility of Keyframe-Based SLAM", ECCV 2008, section 3.4.
-/// All shifts of the image are tried, and `R_start`; the better one of these is refined by
-/// Gauss-Newton over SO(3). Takes a millisecond. Distortion is neglected.
+/// are made so small and blurred, 40 pixels along the longer side, that a fast turn is a few
+/// pixels, as in G. Klein and D. Murray, "Improving the Agility of Keyframe-Based SLAM", ECCV 2008,
+/// section 3.4. Shifts of up to half the image are tried, and `R_start`; both are refined by
+/// Gauss-Newton over SO(3), and the better one is returned. Takes a millisecond. Distortion is
+/// neglected.
 [[nodiscard]] ImageRotation find_image_rotation(const cv::Mat& from, const cv::Mat& to,
                                                 const PinholeCamera& camera,
                                                 const Matrix3& R_start);

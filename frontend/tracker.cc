@@ -125,6 +125,10 @@ void Tracker::Impl::undo_shutter(const Vector6& velocity, PointCloud& cloud) con
 FrameRecord Tracker::Impl::accept(FrameRecord record) {
   record.status = TrackingStatus::kTracked;
   usual.add(record.registration.cos_theta);
+  if (has_rolling_shutter()) {  // another attempt may have left its points
+    points = seen;
+    undo_shutter(motion.velocity_to(frame.images.stamp, record.T_world_camera), points);
+  }
   observe_exposure(record.registration.T_fixed_moving);
   keep_as_last_tracked(record.T_world_camera);
   if (options.reference == Reference::kPreviousFrame) {

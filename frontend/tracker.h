@@ -190,8 +190,8 @@ class Tracker {
 
   /// Tracks the next frame, whose images are copied. Never throws on a bad image: the status is
   /// kLost then, with a reason. The first tracked camera is the origin of the world. `find_start`
-  /// is asked for another start of the registration where the prediction is not to be trusted: a
-  /// long time after the last frame, and where a registration is not believed. Of the answers from
+  /// is asked for another start of the registration where its answer is not to be trusted: where it
+  /// is doubtful (above 0.02) or not believed. Of the answers from
   /// different starts the most similar one is taken.
   TrackedFrame track(const RgbdFrame& frame, const StartFinder& find_start = {});
 

@@ -48,6 +48,13 @@ struct CurrentKeyframe {
   }
 };
 
+/// Where the frame in work may be.
+struct FrameStarts {
+  SE3 T_predicted;                      // by the velocity
+  std::optional<SE3> T_seen;            // the same, turned as the images say
+  std::optional<SE3> T_keyframe_found;  // by features, to the keyframe
+};
+
 /// Keyframes are always made of the last tracked frame, whose pose is motion.last_pose().
 struct Tracker::Impl {
   Impl(const Camera& camera_in, const TrackerOptions& options_in);
@@ -77,10 +84,8 @@ struct Tracker::Impl {
   bool pending_was_taken = false;          // true if that was returned by take_keyframe()
   int submap = 0;
   int lost_in_a_row = 0;
-  Timestamp first_lost;                 // stamp of the first of these
-  SE3 T_predicted;                      // by the velocity, of the frame in work
-  std::optional<SE3> T_seen;            // the same, turned as the images say
-  std::optional<SE3> T_keyframe_found;  // by features, of the frame in work to the keyframe
+  Timestamp first_lost;  // stamp of the first of these
+  FrameStarts starts;
 
   TrackedFrame track(const RgbdFrame& given, const StartFinder& find_start);
   FrameRecord resume(const SE3& T_world_camera);

@@ -24,11 +24,14 @@ OptionSet describe(LostOptions& o) {
       .add("min_points", o.min_points, {10, 1000000}, "",
            "Least number of points of a frame. Six degrees of freedom need eight points each.")
       .add("min_overlap", o.min_overlap, {0, 1}, "", "Least overlap of a registration.")
-      .add("max_speed", o.max_speed, {0, 1000}, "m/s",
-           "Largest speed of the camera of a registration that is doubtful otherwise too. The "
-           "default is more than a hand can do.")
-      .add("max_angular_speed", o.max_angular_speed, {0, 1000}, "rad/s",
-           "Largest angular speed of the camera, in the same way.")
+      .add(
+          "max_speed", o.max_speed, {0, 1000}, "m/s",
+          "Largest speed of the camera that is believed where the doubt is above 0.02. The default "
+          "is more than a hand can do.")
+      .add(
+          "max_angular_speed", o.max_angular_speed, {0, 1000}, "rad/s",
+          "Largest angular speed of the camera that is believed where the doubt is above 0.02. The "
+          "default is more than a hand can do.")
       .add("max_doubt", o.max_doubt, {0, 1}, "",
            "Largest probability that the pose is wrong by more than 5 cm or 3 degrees; 1 = any. "
            "Lower it where a wrong pose is worse than none.")

@@ -10,13 +10,7 @@
 #include "cvo_slam/frontend/tracker_impl_internal.h"
 
 namespace cvo_slam {
-
-/// Returns where the camera is expected after a motion since the last tracked frame, turned as the
-/// images say.
-SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
-  return motion.last_pose() *
-         turned_as_seen(T_last_camera, last_tracked.images.color, frame.images.color, camera.color);
-}
+namespace {
 
 /// Returns true if a registration is turned otherwise than a start by more than fine kernels reach.
 bool is_turned(const Registered& registered, const SE3& T_world_start) {
@@ -32,6 +26,15 @@ void take_if_better(const Registered& other, Registered& registered) {
   }
 }
 
+}  // namespace
+
+/// Returns where the camera is expected after a motion since the last tracked frame, turned as the
+/// images say.
+SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
+  return motion.last_pose() *
+         turned_as_seen(T_last_camera, last_tracked.images.color, frame.images.color, camera.color);
+}
+
 /// Does not believe a registration that is likely to be wrong.
 void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
   if (!registered.is_believed() || registered.doubt <= options.lost.max_doubt) return;
@@ -41,14 +44,14 @@ void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
 }
 
 /// Registers from the predicted pose. If that fails or is doubtful, or if the last frame is long
-/// ago, also from where the images say that the camera has turned, then from where its features
-/// say that it is. If that fails too, without the velocity, and at last to the last tracked frame,
-/// the most similar one there is. That attempt makes it the keyframe, which
-/// it stays even if the attempt fails. A failure also forgets the velocity. The first success with
-/// a keyframe that was made without it, as at a start, makes that keyframe again.
+/// ago, also from where the images say that the camera has turned; if doubt is left, from where its
+/// features say that it is. If that fails too, without the velocity, and at last to the last
+/// tracked frame, the most similar one there is. That attempt makes it the keyframe, which it stays
+/// even if the attempt fails. A failure also forgets the velocity. The first success with a
+/// keyframe that was made without it, as at a start, makes that keyframe again.
 Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   const Timestamp stamp = frame.images.stamp;
-  T_keyframe_found.reset();
+  starts = {};
   if (stamp <= motion.last_stamp()) {
     Registered none;
     none.fault = fmt::format("its stamp is not after the stamp {} of the last tracked frame",
@@ -57,9 +60,8 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   }
   const bool predict = options.prediction == Prediction::kConstantVelocity;
   const bool from_velocity = predict && motion.has_velocity();
-  T_predicted = motion.predict(stamp);
-  T_seen.reset();
-  Registered registered = register_from(predict ? T_predicted : keyframe->T_world_camera,
+  starts.T_predicted = motion.predict(stamp);
+  Registered registered = register_from(predict ? starts.T_predicted : keyframe->T_world_camera,
                                         from_velocity ? options.recovery_scales : 0);
   // The velocity of long ago says little: a hand turns back at any time.
   if (predict && (motion.is_far(stamp) || registered.is_doubtful())) try_seen_start(registered);
@@ -71,8 +73,8 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   }
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
     make_keyframe();
-    T_keyframe_found.reset();
-    registered = register_from(pose_as_seen(SE3()), 0);
+    starts.T_keyframe_found.reset();
+    registered = register_from(predict ? pose_as_seen(SE3()) : motion.last_pose(), 0);
     if (registered.is_doubtful()) try_found_start(find_start, registered);
     refuse_if_doubtful(registered);
     registered.promoted_keyframe = keyframe->frame;
@@ -85,14 +87,16 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
 }
 
 /// Looks how the camera has turned. If the answer is doubtful or turned otherwise, registers again
-/// with all length scales, from the prediction and from there, and keeps the most similar answer.
+/// with all length scales from the prediction and, if it is then still turned otherwise or not
+/// believed, from there; keeps the most similar answer.
 void Tracker::Impl::try_seen_start(Registered& best) {
-  T_seen = pose_as_seen(motion.last_pose().inverse() * T_predicted);
+  starts.T_seen = pose_as_seen(motion.last_pose().inverse() * starts.T_predicted);
   judge(best);
-  if (!best.is_doubtful() && !is_turned(best, *T_seen)) return;
-  if (motion.has_velocity()) take_if_better(register_from(T_predicted, 0), best);
-  if (!best.is_believed() || is_turned(best, *T_seen)) {
-    take_if_better(register_from(*T_seen, 0), best);
+  if (!best.is_doubtful() && !is_turned(best, *starts.T_seen)) return;
+  const bool was_narrow = motion.has_velocity() && options.recovery_scales > 0;
+  if (was_narrow) take_if_better(register_from(starts.T_predicted, 0), best);
+  if (!best.is_believed() || is_turned(best, *starts.T_seen)) {
+    take_if_better(register_from(*starts.T_seen, 0), best);
   }
 }
 
@@ -102,13 +106,13 @@ void Tracker::Impl::try_seen_start(Registered& best) {
 /// believed any more.
 void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& best) {
   if (!find_start) return;
-  T_keyframe_found = find_start(keyframe_images, frame.images);
-  if (!T_keyframe_found) return;
+  starts.T_keyframe_found = find_start(keyframe_images, frame.images);
+  if (!starts.T_keyframe_found) return;
   judge(best);  // it is from before the features were asked
   Registered found =
-      register_from(keyframe->T_world_camera * *T_keyframe_found, options.recovery_scales);
+      register_from(keyframe->T_world_camera * *starts.T_keyframe_found, options.recovery_scales);
   const auto opinion = [&](const Registered& registered) {
-    return opinion_on(registered.result.T_fixed_moving, *T_keyframe_found);
+    return opinion_on(registered.result.T_fixed_moving, *starts.T_keyframe_found);
   };
   const bool agrees = opinion(found) == FeatureOpinion::kAgrees;
   if (!found.is_believed() && agrees) {
@@ -122,7 +126,7 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
   const auto is_certain = [&](const Registered& registered) {
     return find_fault(registered.result, situation_of(registered, true), options.lost).empty();
   };
-  const SE3 T_start_best = T_keyframe_found->inverse() * best.result.T_fixed_moving;
+  const SE3 T_start_best = starts.T_keyframe_found->inverse() * best.result.T_fixed_moving;
   const bool best_is_elsewhere =
       best.is_believed() &&
       (T_start_best.translation().norm() >= 0.15 /* m */ || T_start_best.angle() >= 0.15 /* rad */);
@@ -160,9 +164,9 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
 
 /// How far a pose is from the nearest one that is predicted.
 double Tracker::Impl::nearest_surprise(const SE3& T_world_camera) const {
-  const double by_velocity = surprise_of(T_predicted.inverse() * T_world_camera);
-  return T_seen ? std::min(by_velocity, surprise_of(T_seen->inverse() * T_world_camera))
-                : by_velocity;
+  const double by_velocity = surprise_of(starts.T_predicted.inverse() * T_world_camera);
+  if (!starts.T_seen) return by_velocity;
+  return std::min(by_velocity, surprise_of(starts.T_seen->inverse() * T_world_camera));
 }
 
 /// Finds the doubt of a registration and whether it is believed.
@@ -172,8 +176,8 @@ void Tracker::Impl::judge(Registered& registered) const {
     const double seconds = seconds_between(motion.last_stamp(), frame.images.stamp);
     DoubtEvidence evidence =
         evidence_of(result, nearest_surprise(registered.T_world_camera), seconds, usual);
-    if (T_keyframe_found) {
-      evidence.features = opinion_on(result.T_fixed_moving, *T_keyframe_found);
+    if (starts.T_keyframe_found) {
+      evidence.features = opinion_on(result.T_fixed_moving, *starts.T_keyframe_found);
     }
     registered.doubt = doubt_of(evidence);
   }
@@ -195,7 +199,7 @@ Registered Tracker::Impl::register_to_remade_keyframe(const Registered& first) {
   select(frame, options.points, seen);
   Registered registered = register_from(first.T_world_camera, options.recovery_scales);
   registered.promoted_keyframe = first.promoted_keyframe;
-  registered.doubt = first.doubt;  // the prediction that it was compared with is known no more
+  registered.doubt = first.doubt;  // it is the same motion
   return registered;
 }
 

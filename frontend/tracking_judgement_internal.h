@@ -11,7 +11,7 @@
 
 namespace cvo_slam {
 
-/// From this doubt on another opinion is asked for: a fiftieth of such registrations are wrong.
+/// Above this doubt another opinion is asked for: at it, a fiftieth of the registrations are wrong.
 constexpr double kDoubtful = 0.02;
 
 /// What a judgement of a registration needs besides its result.

@@ -190,13 +190,15 @@ void bind_frames(py::module_& module) {
              "camera: a Camera in place of the recording's own; associations: a file that pairs "
              "the images; max_stamp_difference [s] of a pair; depth_offset: what is added to depth "
              "stamps [s]; frame_rate: of images that are numbered and have no stamps [Hz].");
-  module.def("follow_dataset", &follow, py::arg("folder"), py::kw_only(),
-             py::arg("end_after") = FollowOptions().end_after, py::arg("camera") = py::none(),
-             py::arg("max_stamp_difference") = DatasetOptions().max_stamp_difference,
-             py::arg("depth_offset") = py::none(), py::arg("frame_rate") = py::none(),
-             "Follows a folder that a recorder writes to, and waits until there is something in "
-             "it.\n\nend_after: the recording has ended when nothing has changed for so long [s]; "
-             "the others as in open_dataset(). Ctrl-C ends the waiting.");
+  module.def(
+      "follow_dataset", &follow, py::arg("folder"), py::kw_only(),
+      py::arg("end_after") = FollowOptions().end_after, py::arg("camera") = py::none(),
+      py::arg("max_stamp_difference") = DatasetOptions().max_stamp_difference,
+      py::arg("depth_offset") = py::none(), py::arg("frame_rate") = py::none(),
+      "Follows a folder that a recorder writes to, and waits until there is something in "
+      "it.\n\nend_after: the recording has ended when nothing has changed for so long [s]; "
+      "the others as in open_dataset(), but that no frame rate is guessed (30 Hz). Ctrl-C ends "
+      "the waiting.");
 }
 
 }  // namespace cvo_slam::python

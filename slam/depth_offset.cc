@@ -137,15 +137,18 @@ bool is_settled(const Estimate& correction) {
 std::optional<Estimate> measure(FrameSource& source, Round& round,
                                 const DepthOffsetOptions& options, std::size_t& seen) {
   constexpr std::size_t kCheckEvery = 100;  // [frames]
+  std::optional<Timestamp> first;
   for (seen = 0; seen < options.max_frames;) {
     const auto frame = source.next();
     if (!frame) break;
     round.track(*frame);
+    if (!first) first = frame->stamp;
     if (++seen % kCheckEvery != 0) continue;
     const auto correction = correction_of(round.pairs());
     if (!correction) continue;
-    const std::size_t least = is_settled(*correction) ? options.settled_frames : options.min_frames;
-    const bool enough = seen >= least && correction->deviation <= options.enough;
+    const bool is_long = seconds_between(*first, frame->stamp) >= options.settled_time;
+    const bool enough = seen >= options.min_frames && correction->deviation <= options.enough &&
+                        (is_long || !is_settled(*correction));
     if (enough || is_clearly_wrong(*correction)) return correction;
   }
   return correction_of(round.pairs());

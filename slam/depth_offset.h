@@ -24,10 +24,10 @@ struct DepthOffsetOptions {
   /// Standard deviation at which no more frames are looked at [s].
   double enough = 0.0005;
   std::size_t min_frames = 200;   ///< frames that are always looked at, if there are as many
-  /// Frames that are looked at once the offset has settled: 20 s. Stretches of a few seconds are
-  /// less independent than the jackknife takes them for.
-  std::size_t settled_frames = 600;
   std::size_t max_frames = 1000;  ///< frames after which the search ends in any case
+  /// Time that is looked at, if the recording is as long, once the offset has settled [s]:
+  /// stretches of a few seconds are less independent than the jackknife takes them for.
+  double settled_time = 20;
 };
 
 /// A measured depth offset.

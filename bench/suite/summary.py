@@ -18,9 +18,7 @@ def runs_of(cell):
     if not cell.exists():
         return None
     runs = {}
-    content = json.loads(cell.read_text())
-    frames = len(range(content["begin"], content["end"], content["step"]))
-    for system in content["systems"]:
+    for system in json.loads(cell.read_text())["systems"]:
         evaluation = system["evaluation"] or {}
         second = next((rpe["error"] for rpe in evaluation.get("rpe", []) if rpe["unit"] == "s"), None)
         ate = evaluation.get("ate")
@@ -28,9 +26,8 @@ def runs_of(cell):
             "rpe_mm": second["translation_m"]["rmse"] * 1e3 if second else None,
             "rpe_deg": second["rotation_deg"]["rmse"] if second else None,
             "ate_mm": ate["translation_m"]["rmse"] * 1e3 if ate else None,
-            "frames": frames,
             "lost": system["lost"],
-            "wrong": system.get("wrong"),  # None in cells of older programs
+            "wrong": system.get("wrong"),  # None without a reference, and in cells of older programs
             "cpu_ms": system["cpu_ms"]["mean"],
         }
     return runs
@@ -48,15 +45,18 @@ def wins(runs, other, figure):
 
 
 def count_wrong(runs):
-    """The frames of all runs that are called tracked and are wrong; None if they were not counted."""
-    if any(run["wrong"] is None for run in runs.values()):
-        return None
-    return sum(len(run["wrong"]) for run in runs.values())
+    """The frames of all runs that are called tracked and are wrong, and of how many; None if they were
+    not counted."""
+    found = [run["wrong"] for run in runs.values()]
+    if None in found:
+        return None, None
+    return sum(len(wrong["frames"]) for wrong in found), sum(wrong["checked"] for wrong in found)
 
 
 def summarise(runs, other):
-    row = {"runs": len(runs), "frames": sum(run["frames"] for run in runs.values()),
-           "lost": sum(run["lost"] for run in runs.values()), "wrong": count_wrong(runs),
+    wrong, checked = count_wrong(runs)
+    row = {"runs": len(runs), "lost": sum(run["lost"] for run in runs.values()),
+           "wrong": wrong, "wrong_of": checked,
            "cpu_ms": statistics.median(values(runs, "cpu_ms"))}
     for figure in FIGURES:
         found = values(runs, figure)
@@ -69,7 +69,7 @@ def summarise(runs, other):
             row[figure + "_wins"], row[figure + "_pairs"] = wins(runs, other, figure)
     if other:
         row["lost_against"] = sum(run["lost"] for run in other.values())
-        row["wrong_against"] = count_wrong(other)
+        row["wrong_against"] = count_wrong(other)[0]
         row["cpu_ms_against"] = statistics.median(values(other, "cpu_ms"))
     return row
 
@@ -102,7 +102,7 @@ def table(rows, mode, against):
 def wrong_text(rows, mode, cells):
     """How many frames of a mode are wrong, and each of them."""
     rows = [row for row in rows if row["mode"] == mode and row["wrong"] is not None]
-    tracked = sum(row["frames"] - row["lost"] for row in rows)
+    tracked = sum(row["wrong_of"] for row in rows)
     if not tracked:
         return ""
     lines = []
@@ -110,7 +110,7 @@ def wrong_text(rows, mode, cells):
         for variant, run in runs_of(cells / mode / f"{row['sequence']}.json").items():
             lines += [f"- {row['sequence']}, {variant}: frame at {frame['stamp']} s, "
                       f"{frame['translation_m'] * 100:.0f} cm, {frame['rotation_deg']:.1f} deg"
-                      for frame in run["wrong"]]
+                      for frame in run["wrong"]["frames"]]
     text = f"Wrong: {len(lines)} of {tracked} tracked frames, {len(lines) / tracked:.3%}"
     others = [row.get("wrong_against") for row in rows]
     if rows and None not in others:

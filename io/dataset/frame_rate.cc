@@ -31,17 +31,27 @@ cv::Mat small_image(const FrameReader& reader, const std::filesystem::path& file
   return values;
 }
 
-/// Returns the angle by which the middle of the image has moved [rad].
-double turn_between(const cv::Mat& from, const cv::Mat& to, const PinholeCamera& camera) {
+/// Returns the angle by which the middle of the image has moved [rad]; empty if the images do not
+/// tell. Phase correlation is enough: it need not be right in each pair.
+std::optional<double> turn_between(const cv::Mat& from, const cv::Mat& to,
+                                   const PinholeCamera& camera) {
+  constexpr double kLeastContrast = 3;     // [8-bit values]
+  constexpr double kLeastResponse = 0.25;  // of the peak; noise alone gives up to 0.2
+  cv::Scalar mean;
+  cv::Scalar contrast;
+  cv::meanStdDev(from, mean, contrast);
+  if (contrast[0] < kLeastContrast) return std::nullopt;
   cv::Mat window;
   cv::createHanningWindow(window, from.size(), CV_32F);
-  const cv::Point2d shift = cv::phaseCorrelate(from, to, window);
+  double response = 0;
+  const cv::Point2d shift = cv::phaseCorrelate(from, to, window, &response);
+  if (!(response >= kLeastResponse)) return std::nullopt;
   const double scale = static_cast<double>(camera.width) / kWidth;
   return std::hypot(scale * shift.x / camera.fx, scale * shift.y / camera.fy);
 }
 
 /// Returns the median speed at which the image turns, by pairs that are spread over the sequence
-/// [rad/s]; 0 if there is none.
+/// [rad/s]; 0 if most of them do not tell.
 double usual_turning_speed(const Sequence& sequence, const Camera& camera) {
   constexpr std::size_t kPairs = 12;
   const auto& frames = sequence.frames;
@@ -50,13 +60,13 @@ double usual_turning_speed(const Sequence& sequence, const Camera& camera) {
   for (std::size_t k = 0; k < kPairs && frames.size() > kPairs; ++k) {
     const std::size_t i = k * (frames.size() - 2) / (kPairs - 1);
     try {
-      const double turn = turn_between(small_image(reader, frames[i].color),
-                                       small_image(reader, frames[i + 1].color), camera.color);
-      speeds.push_back(turn / seconds_between(frames[i].stamp, frames[i + 1].stamp));
+      const auto turn = turn_between(small_image(reader, frames[i].color),
+                                     small_image(reader, frames[i + 1].color), camera.color);
+      if (turn) speeds.push_back(*turn / seconds_between(frames[i].stamp, frames[i + 1].stamp));
     } catch (const InputError&) {  // said when the frame is read
     }
   }
-  return speeds.empty() ? 0 : summarize(speeds).median;
+  return speeds.size() < kPairs / 2 ? 0 : summarize(speeds).median;
 }
 
 /// Returns the nearest of the rates that are in use.

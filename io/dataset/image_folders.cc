@@ -210,7 +210,13 @@ Sequence open_image_folders(const Path& folder, const PairingOptions& options) {
   }
   const auto colors = stamped(color_images, unit);
   const auto depths = stamped(depth_images, unit);
-  Sequence sequence = pair_images(colors, depths, options);
+  PairingOptions pairing = options;
+  if (counts_frames(unit)) {  // an image of another number is of another time
+    constexpr double kShare = 0.45;
+    pairing.max_stamp_difference =
+        std::min(pairing.max_stamp_difference, kShare / options.frame_rate);
+  }
+  Sequence sequence = pair_images(colors, depths, pairing);
   if (sequence.frames.empty()) {
     throw InputError(folder, fmt::format("no colour image has a depth image within {} s; give "
                                          "--max-diff or --depth-offset",

@@ -110,7 +110,14 @@ Sequence open_seven_scenes(const Path& folder, const PairingOptions& options) {
   sequence.invalid_depth = 65535;
   sequence.reference_is_of_depth = true;
   sequence.has_counted_stamps = true;
-  for (const auto& [number, files] : list_frames(folder)) {
+  const auto listed = list_frames(folder);
+  if (!listed.empty() && listed.rbegin()->first > kLatestStamp * options.frame_rate) {
+    throw InputError(folder,
+                     fmt::format("frame {} is beyond the latest time at {} Hz; give another "
+                                 "frame rate",
+                                 listed.rbegin()->first, options.frame_rate));
+  }
+  for (const auto& [number, files] : listed) {
     if (files.color.empty() || files.depth.empty()) {
       sequence.unpaired.color += files.color.empty() ? 0 : 1;
       sequence.unpaired.depth += files.depth.empty() ? 0 : 1;

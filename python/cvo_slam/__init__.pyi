@@ -182,6 +182,7 @@ def follow_dataset(
     camera: Camera | None = ...,
     max_stamp_difference: float = ...,
     depth_offset: float | None = ...,
+    frame_rate: float | None = ...,
 ) -> FollowedDataset: ...
 def open_dataset(
     folder: _Path,
@@ -190,6 +191,7 @@ def open_dataset(
     associations: _Path | None = ...,
     max_stamp_difference: float = ...,
     depth_offset: float | None = ...,
+    frame_rate: float | None = ...,
 ) -> Dataset: ...
 
 class Trajectory:

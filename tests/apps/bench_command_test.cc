@@ -218,22 +218,28 @@ TEST_F(OdometryBenchmarkTest, AWrongFrameIsCountedAndALostOneIsNot) {
   const SE3 away(Matrix3::Identity(), {1, 0, 0});
   const auto slipped =
       run(std::make_unique<ScriptedSystem>(std::vector<std::optional<SE3>>{SE3(), away}));
-  ASSERT_EQ(slipped.results.at(0).wrong.size(), 1U);
-  EXPECT_NEAR(slipped.results.at(0).wrong[0].translation, 1, 1e-9);
+  const auto& wrong = slipped.results.at(0).wrong;
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(wrong->checked, 2U);
+  ASSERT_EQ(wrong->frames.size(), 1U);
+  EXPECT_NEAR(wrong->frames[0].translation, 1, 1e-9);
   const auto json = nlohmann::json::parse(json_text(*sequence_.open(), slipped));
-  EXPECT_EQ(json["systems"][0]["wrong"].size(), 1U);
+  EXPECT_EQ(json["systems"][0]["wrong"]["frames"].size(), 1U);
 
   const auto lost =
       run(std::make_unique<ScriptedSystem>(std::vector<std::optional<SE3>>{SE3(), std::nullopt}));
-  EXPECT_TRUE(lost.results.at(0).wrong.empty());
+  ASSERT_TRUE(lost.results.at(0).wrong);
+  EXPECT_EQ(lost.results.at(0).wrong->checked, 1U);
+  EXPECT_TRUE(lost.results.at(0).wrong->frames.empty());
 }
 
 TEST_F(OdometryBenchmarkTest, WithoutAReferenceTheTableHasNoErrors) {
   const auto benchmark =
       run(std::make_unique<ScriptedSystem>(std::vector<std::optional<SE3>>{SE3(), SE3()}));
   EXPECT_FALSE(benchmark.results.at(0).evaluation);
-  EXPECT_THAT(to_table(*sequence_.open(), benchmark),
-              testing::ContainsRegex("\\| scripted \\| +- \\| +- \\| +- \\| +- \\| +- \\| +0 \\| +- \\|"));
+  EXPECT_THAT(
+      to_table(*sequence_.open(), benchmark),
+      testing::ContainsRegex("\\| scripted \\| +- \\| +- \\| +- \\| +- \\| +- \\| +0 \\| +- \\|"));
 }
 
 TEST_F(OdometryBenchmarkTest, ASystemThatIsNotBuiltInSaysSo) {

@@ -176,7 +176,7 @@ TEST(SelectPairs, BySecondsIsTheFirstAtLeastThatFar) {
 }
 
 TEST(SelectPairs, BySecondsMayMissTheDeltaByOneStepOfALowRate) {
-  // 0.25 s are two and a half steps: the third pose is 50 ms beyond, with 0.1 s between poses.
+  // Two steps of 0.1 s are too short, and the third pose is 90 ms beyond.
   EXPECT_THAT(pairs_of(line(5), {.delta = 0.21, .time_tolerance = 0.01}),
               ElementsAre(Pair(0, 3), Pair(1, 4)));
 }

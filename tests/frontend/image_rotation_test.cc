@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -96,6 +98,18 @@ TEST(ImageRotation, ImagesWithNothingInCommonLeaveTheMotionAsItIs) {
   const SE3 turned = rotation_after(camera.image({0, 0.2, 0}));
   EXPECT_EQ(turned.translation(), motion.translation());
   EXPECT_LT(so3_log(turned.rotation().transpose() * so3_exp({0, 0.2, 0})).norm(), 0.5 * kDegree);
+}
+
+TEST(ImageRotation, WorksForAnySizeOfImage) {
+  for (const auto& [width, height] : {std::pair{8, 6}, {2, 2}, {400, 12}, {12, 400}, {240, 320}}) {
+    SCOPED_TRACE(testing::Message() << width << "x" << height);
+    const Camera camera = small_camera(width, height);
+    const cv::Mat image = noise_image(camera, 5);
+    const ImageRotation found =
+        find_image_rotation(image, image, camera.color, Matrix3::Identity());
+    EXPECT_LT(so3_log(found.R_from_to).norm(), 0.02);
+    EXPECT_TRUE(std::isfinite(found.correlation));
+  }
 }
 
 /// A head that turns to and fro, seen five times a second: the velocity is wrong each time.

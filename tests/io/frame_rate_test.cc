@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -79,6 +80,27 @@ TEST(FrameRate, OfSevenScenesTooIsThatOfTheImages) {
   const auto data = frames.open();
   EXPECT_EQ(data->kind(), "7-Scenes");
   EXPECT_NEAR(seconds_of_last(*data), 19 / 3.0, 1e-5);
+}
+
+/// Twenty images, each of its own noise over the same grey.
+std::unique_ptr<Dataset> open_noise(int grey, int noise) {
+  const TinySequence sequence;
+  cv::RNG random(3);
+  for (int i = 0; i < 20; ++i) {
+    cv::Mat image(120, 160, CV_8UC3);
+    random.fill(image, cv::RNG::NORMAL, grey, noise);
+    sequence.write_image(fmt::format("rgb/{}.png", i), image);
+    sequence.write_image(fmt::format("depth/{}.png", i),
+                         cv::Mat(120, 160, CV_16UC1, cv::Scalar(5000)));
+  }
+  return open_dataset(sequence.path(), {.camera = small_camera()});
+}
+
+TEST(FrameRate, IsThirtyHertzWhereTheImagesDoNotTell) {
+  for (const auto& [grey, noise] : {std::pair{0, 0}, {90, 5}, {120, 40}}) {
+    const auto data = open_noise(grey, noise);
+    EXPECT_NEAR(seconds_of_last(*data), 19 / 30.0, 1e-6) << grey << " +- " << noise;
+  }
 }
 
 TEST(FrameRate, ThatIsGivenIsTaken) {

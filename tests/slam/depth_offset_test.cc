@@ -53,6 +53,7 @@ class DepthOffsetOfARecording : public testing::Test {
     };
     DepthOffsetOptions options;
     options.min_frames = 100;
+    options.settled_time = 2;
     return calibrate_depth_offset(open, synthetic::synthetic_camera(320, 240), {}, options);
   }
 
