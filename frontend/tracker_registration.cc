@@ -86,13 +86,16 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   return registered;
 }
 
-/// Looks how the camera has turned. If the answer is doubtful or turned otherwise, registers again
-/// with all length scales from the prediction and, if it is then still turned otherwise or not
-/// believed, from there; keeps the most similar answer.
+/// Looks how the camera has turned. If the answer is doubtful or turned otherwise, or if the last
+/// frame is so long ago that an acceleration of 5 m/s^2 leads out of the reach of fine kernels
+/// (0.05 m), registers again with all length scales from the prediction and, if it is then still
+/// turned otherwise or not believed, from there; keeps the most similar answer.
 void Tracker::Impl::try_seen_start(Registered& best) {
   starts.T_seen = pose_as_seen(motion.last_pose().inverse() * starts.T_predicted);
   judge(best);
-  if (!best.is_doubtful() && !is_turned(best, *starts.T_seen)) return;
+  constexpr double kShort = 0.14;  // [s]
+  const bool is_short = seconds_between(motion.last_stamp(), frame.images.stamp) < kShort;
+  if (is_short && !best.is_doubtful() && !is_turned(best, *starts.T_seen)) return;
   const bool was_narrow = motion.has_velocity() && options.recovery_scales > 0;
   if (was_narrow) take_if_better(register_from(starts.T_predicted, 0), best);
   if (!best.is_believed() || is_turned(best, *starts.T_seen)) {
