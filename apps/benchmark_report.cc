@@ -118,11 +118,9 @@ Figure benchmark_figure(const Dataset& data, const OdometryBenchmark& benchmark)
 std::string_view benchmark_protocol() {
   return "RMSE, stamps matched to the nearest within 20 ms; RPE 1 s: all pairs; ATE: after "
          "alignment by a rigid motion; a lost frame keeps the pose before it; wrong: frames that "
-         "are "
-         "called tracked although their motion since the last right one is off by more than 10 cm "
-         "or 5 degrees from the interpolated reference; CPU: time of the one thread a frame, "
-         "images "
-         "decoded";
+         "are called tracked although their motion since the last right one is off by more than "
+         "10 cm or 5 degrees from the interpolated reference; CPU: time of the one thread a "
+         "frame, images decoded";
 }
 
 std::string to_table(const Dataset& data, const OdometryBenchmark& benchmark) {

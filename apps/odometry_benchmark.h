@@ -59,7 +59,7 @@ struct Contestant {
 [[nodiscard]] std::unique_ptr<OdometrySystem> make_tracker_system(const Camera& camera,
                                                                   const TrackerOptions& options);
 
-/// Of the frames that are not lost those that are wrong: find_wrong_poses().
+/// The tracked frames whose poses are wrong, as find_wrong_poses() says.
 struct WrongFrames {
   std::size_t checked = 0;        ///< number of tracked frames whose true pose is known
   std::vector<PoseError> frames;  ///< those of them that are wrong
