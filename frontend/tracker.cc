@@ -120,14 +120,19 @@ void Tracker::Impl::undo_shutter(const Vector6& velocity, PointCloud& cloud) con
   undo_rolling_shutter(velocity, camera.readout_time, camera.color.height, cloud);
 }
 
+/// Puts the points of the frame in work where they were at its stamp.
+void Tracker::Impl::place_points(const Vector6& velocity) {
+  points = seen;
+  undo_shutter(velocity, points);
+}
+
 /// Takes the pose, and makes the frame a keyframe if the policy says so (`points` are those of
 /// register_from()).
 FrameRecord Tracker::Impl::accept(FrameRecord record) {
   record.status = TrackingStatus::kTracked;
   usual.add(record.registration.cos_theta);
   if (has_rolling_shutter()) {  // another attempt may have left its points
-    points = seen;
-    undo_shutter(motion.velocity_to(frame.images.stamp, record.T_world_camera), points);
+    place_points(motion.velocity_to(frame.images.stamp, record.T_world_camera));
   }
   observe_exposure(record.registration.T_fixed_moving);
   keep_as_last_tracked(record.T_world_camera);

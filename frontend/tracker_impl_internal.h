@@ -96,6 +96,7 @@ struct Tracker::Impl {
   [[nodiscard]] std::string select_points_of_frame();
   void select(const PreparedFrame& from, int count, PointCloud& cloud);
   void undo_shutter(const Vector6& velocity, PointCloud& cloud) const;
+  void place_points(const Vector6& velocity);
   [[nodiscard]] bool has_rolling_shutter() const {
     return options.compensate_rolling_shutter && camera.readout_time > 0;
   }

@@ -149,13 +149,11 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
   const SE3 T_init = T_world_keyframe.inverse() * T_world_camera_init;
   Registered registered;
   registered.keyframe = keyframe->frame;
-  points = seen;
-  undo_shutter(motion.velocity(), points);
+  place_points(motion.velocity());
   if (has_rolling_shutter()) {
     // The predicted velocity is a frame old: undo again with the one that was found.
     const Approach approach = registration.approach(points, T_init, skip);
-    points = seen;
-    undo_shutter(motion.velocity_to(stamp, T_world_keyframe * approach.T_fixed_moving), points);
+    place_points(motion.velocity_to(stamp, T_world_keyframe * approach.T_fixed_moving));
     registered.result = registration.refine(points, approach);
   } else {
     registered.result = registration.align(points, T_init, skip);

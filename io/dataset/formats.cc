@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,11 @@ std::string dataset_formats() {
 
 std::string folder_name(const std::filesystem::path& folder) {
   return std::filesystem::canonical(folder).filename().string();
+}
+
+Timestamp stamp_of_frame(std::int64_t number, double frame_rate) {
+  constexpr std::int64_t kMicrosecond = 1000;
+  return Timestamp(std::llround(static_cast<double>(number) * 1e6 / frame_rate) * kMicrosecond);
 }
 
 }  // namespace cvo_slam

@@ -39,6 +39,9 @@ struct Sequence {
   std::uint16_t invalid_depth = 0;
 };
 
+/// Returns the stamp of a numbered frame, in whole microseconds as trajectory files have them.
+Timestamp stamp_of_frame(std::int64_t number, double frame_rate);
+
 /// How the images of a sequence are paired to frames.
 struct PairingOptions {
   /// A file of pairs to use in place of the sequence's own; its paths are relative to the folder of

@@ -5,7 +5,6 @@
 // write them. A number in the name of a file says when it was taken.
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -127,12 +126,7 @@ std::optional<Timestamp> stamp_of_number(std::string_view number, const ClockUni
   if (unit.per_second == 1) return Timestamp::parse(number);
   const auto count = parse_integer<std::int64_t>(number);
   if (!count || static_cast<double>(*count) > kLatestStamp * unit.per_second) return std::nullopt;
-  if (counts_frames(unit)) {
-    constexpr std::int64_t kMicrosecond = 1000;
-    return Timestamp(
-        std::llround(static_cast<double>(*count) * 1e6 / unit.per_second) * kMicrosecond,
-        unit.decimals);
-  }
+  if (counts_frames(unit)) return stamp_of_frame(*count, unit.per_second);
   return Timestamp(*count * static_cast<std::int64_t>(1e9 / unit.per_second), unit.decimals);
 }
 

@@ -5,8 +5,6 @@
 // images", CVPR 2013. Depth is not registered to colour, and poses are those of the depth camera.
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -70,12 +68,6 @@ std::map<int, NumberedFiles> list_frames(const Path& folder) {
   return frames;
 }
 
-/// Returns the stamp of a frame, in whole microseconds as trajectory files have them.
-Timestamp stamp_of(int number, double frame_rate) {
-  constexpr std::int64_t kMicrosecond = 1000;
-  return Timestamp(std::llround(number * 1e6 / frame_rate) * kMicrosecond);
-}
-
 /// Returns a camera-to-world matrix; empty if `file` is empty or holds none, as for frames that the
 /// reference system lost.
 std::optional<SE3> read_pose(const Path& file) {
@@ -123,7 +115,7 @@ Sequence open_seven_scenes(const Path& folder, const PairingOptions& options) {
       sequence.unpaired.depth += files.depth.empty() ? 0 : 1;
       continue;
     }
-    const Timestamp stamp = stamp_of(number, options.frame_rate);
+    const Timestamp stamp = stamp_of_frame(number, options.frame_rate);
     sequence.frames.push_back({stamp, stamp, files.color, files.depth});
     const auto T_world_depth = read_pose(files.pose);
     if (T_world_depth) sequence.reference.push_back({stamp, *T_world_depth});
