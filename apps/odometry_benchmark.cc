@@ -131,6 +131,7 @@ class Run {
       result_.cpu = summarize(cpu_);
       result_.evaluation = evaluation_of(reference, result_.poses);
       result_.wrong = wrong_frames(reference, tracked_);
+      result_.features_asked = system_->features_asked();
     }
     return std::move(result_);
   }

@@ -37,6 +37,9 @@ class OdometrySystem {
   /// Ends the sequence. Returns the whole path if the system knows more of it now than when it
   /// tracked; frames that it has no pose for are not in it, and count as lost.
   [[nodiscard]] virtual std::optional<Trajectory> finish() { return std::nullopt; }
+
+  /// Returns for how many frames it has looked for a start by features; empty if it never does.
+  [[nodiscard]] virtual std::optional<std::size_t> features_asked() const { return std::nullopt; }
 };
 
 /// One of the systems to compare.
@@ -73,8 +76,9 @@ struct ContestantResult {
   std::size_t lost = 0;              ///< number of frames without a pose of their own
   std::vector<StampedPose> poses;    ///< one for each frame; a lost frame repeats the last pose
   std::optional<WrongFrames> wrong;  ///< empty without a usable reference
-  Statistics cpu;                    ///< CPU time of the calling thread for a frame [s]
-  double finish_cpu = 0;             ///< CPU time of the work after the last frame [s]
+  std::optional<std::size_t> features_asked;   ///< OdometrySystem::features_asked()
+  Statistics cpu;                              ///< CPU time of the calling thread for a frame [s]
+  double finish_cpu = 0;                       ///< CPU time of the work after the last frame [s]
   std::optional<EvaluationReport> evaluation;  ///< empty without a usable reference
 };
 

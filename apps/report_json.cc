@@ -94,6 +94,8 @@ Json json_of(const ContestantResult& result) {
       {"name", result.name}, {"description", result.description}, {"built_in", result.built_in}};
   if (!result.built_in) return json;
   json["lost"] = result.lost;
+  json["features_asked"] = nullptr;
+  if (result.features_asked) json["features_asked"] = *result.features_asked;
   json["wrong"] = nullptr;
   if (result.wrong) {
     json["wrong"] = {{"checked", result.wrong->checked}, {"frames", Json::array()}};

@@ -55,6 +55,7 @@ class SlamSystem final : public OdometrySystem {
 
   std::optional<SE3> track(const RgbdFrame& frame) override {
     const FrameRecord record = slam_.track(frame);
+    if (record.features_asked) ++features_asked_;
     if (record.status == TrackingStatus::kLost) return std::nullopt;
     return record.T_world_camera;
   }
@@ -64,8 +65,11 @@ class SlamSystem final : public OdometrySystem {
     return slam_.trajectory();
   }
 
+  std::optional<std::size_t> features_asked() const override { return features_asked_; }
+
  private:
   Slam slam_;
+  std::size_t features_asked_ = 0;
 };
 
 }  // namespace

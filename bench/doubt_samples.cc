@@ -14,15 +14,11 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <opencv2/core/mat.hpp>
 
 #include "cvo_slam/bench/report_errors.h"
 #include "cvo_slam/core/association.h"
-#include "cvo_slam/frontend/image_rotation_internal.h"
-#include "cvo_slam/frontend/motion_model_internal.h"
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/frontend/tracking_doubt_internal.h"
-#include "cvo_slam/frontend/tracking_judgement_internal.h"
 #include "cvo_slam/io/dataset.h"
 #include "cvo_slam/loop/loop_detector.h"
 #include "cvo_slam/slam/feature_start_internal.h"
@@ -39,46 +35,6 @@ struct Arguments {
   bool with_features = false;
 };
 
-/// What the tracker knew when it judged each frame, from its records.
-class Replay {
- public:
-  explicit Replay(const PinholeCamera& camera) : camera_(camera) {}
-
-  DoubtEvidence evidence(const FrameRecord& record, const cv::Mat& color,
-                         const SE3& T_world_camera) const {
-    const double seconds = seconds_between(motion_.last_stamp(), record.stamp);
-    const SE3 T_last_predicted = motion_.last_pose().inverse() * motion_.predict(record.stamp);
-    const SE3 T_last_camera = motion_.last_pose().inverse() * T_world_camera;
-    const auto evidence_with = [&](const SE3& T_last_expected) {
-      return evidence_of(record.registration,
-                         surprise_of(T_last_expected.inverse() * T_last_camera), seconds, usual_);
-    };
-    DoubtEvidence evidence = evidence_with(T_last_predicted);
-    if (motion_.is_far(record.stamp) || doubt_of(evidence) > kDoubtful) {
-      const DoubtEvidence as_seen =
-          evidence_with(turned_as_seen(T_last_predicted, last_color_, color, camera_));
-      evidence.surprise = std::min(evidence.surprise, as_seen.surprise);
-    }
-    return evidence;
-  }
-  void add(const FrameRecord& record, const cv::Mat& color) {
-    if (record.status == TrackingStatus::kLost) {
-      motion_.forget_velocity();
-      return;
-    }
-    motion_.update(record.stamp, record.T_world_camera);
-    last_color_ = color;
-    if (record.keyframe != record.index) usual_.add(record.registration.cos_theta);
-    if (record.keyframe == record.index) motion_.forget_velocity();
-  }
-
- private:
-  PinholeCamera camera_;
-  MotionModel motion_;
-  cv::Mat last_color_;
-  UsualSimilarity usual_;
-};
-
 void print_samples(const Dataset& data, std::size_t step, const Arguments& arguments) {
   const SlamOptions options;
 
@@ -86,13 +42,11 @@ void print_samples(const Dataset& data, std::size_t step, const Arguments& argum
   LoopDetector detector(data.camera(), options.loops.detection);
   AppearanceCache appearances(detector);
   FeatureStart start(data.camera(), options.loops.detection.verification, appearances);
-  std::optional<SE3> from_features;  // for the last pair that the tracker asked for
-  const StartFinder find_start = [&](const RgbdFrame& keyframe, const RgbdFrame& frame) {
-    from_features = start.find(keyframe, frame);
-    return from_features;
+  const StartFinder find_start = [&](const RgbdFrame& keyframe, const SE3& T_world_keyframe,
+                                     const RgbdFrame& frame) {
+    return start.find(keyframe, T_world_keyframe, frame);
   };
-  Replay replay(data.camera().color);
-  std::vector<std::optional<SE3>> poses(data.size());  // as tracked
+  FrameRecord last_tracked;
   const std::size_t end =
       arguments.frames > 0 ? std::min(arguments.frames, data.size()) : data.size();
   const auto truth_of = [&](std::size_t i) {
@@ -100,28 +54,26 @@ void print_samples(const Dataset& data, std::size_t step, const Arguments& argum
     return interpolate_at(data.reference(), data.stamp(i), kMaxGap);
   };
   for (std::size_t i = 0; i < end; i += step) {
-    from_features.reset();
-    const RgbdFrame frame = data.read(i);
-    const FrameRecord record =
-        tracker.track(frame, arguments.with_features ? find_start : StartFinder()).record;
+    const auto [record, keyframe] =
+        tracker.track(data.read(i), arguments.with_features ? find_start : StartFinder());
+    if (keyframe) start.add(keyframe->images, last_tracked.T_world_camera);
+    if (record.status == TrackingStatus::kTracked) {
+      if (record.submap != last_tracked.submap) start.start_submap();
+      last_tracked = record;
+    }
     const RegistrationResult& result = record.registration;
     const auto truth = truth_of(i);
     const auto keyframe_truth = truth_of(record.keyframe);
-    const bool is_registered = result.status != RegistrationStatus::kFailed &&
-                               record.keyframe != i && poses[record.keyframe];
-    if (is_registered && truth && keyframe_truth) {
-      DoubtEvidence e =
-          replay.evidence(record, frame.color, *poses[record.keyframe] * result.T_fixed_moving);
-      if (from_features) e.features = opinion_on(result.T_fixed_moving, *from_features);
+    const auto known = last_evidence(tracker);
+    if (known && truth && keyframe_truth) {
+      const DoubtEvidence& e = *known;
       const SE3 error = (keyframe_truth->inverse() * *truth).inverse() * result.T_fixed_moving;
-      fmt::print("{},{},{},{},{},{:.5f},{:.5f},{:.4f},{:.4f},{:.6f},{:.5f},{:.4f},{}\n",
+      fmt::print("{},{},{},{},{},{:.5f},{:.5f},{:.4f},{:.4f},{:.6f},{:.5f},{:.4f},{:.4f},{}\n",
                  data.name(), step, arguments.with_features ? 1 : 0, i,
                  record.status == TrackingStatus::kTracked ? 1 : 0, error.translation().norm(),
                  error.angle(), e.overlap, e.relative_cos_theta, e.sigma, e.surprise, e.seconds,
-                 static_cast<int>(e.features));
+                 e.rival, static_cast<int>(e.features));
     }
-    if (record.status == TrackingStatus::kTracked) poses[i] = record.T_world_camera;
-    replay.add(record, frame.color);
   }
 }
 

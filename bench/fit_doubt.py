@@ -29,14 +29,15 @@ def read(paths):
             names.append(fields[0])
             tracked.append(values[3] > 0)
             wrong.append(values[4] > WRONG_TRANSLATION or values[5] > WRONG_ROTATION)
-            terms.append(terms_of(*values[6:12]))
+            terms.append(terms_of(*values[6:13]))
     return np.array(names), np.array(tracked), np.array(wrong, dtype=float), np.array(terms)
 
 
-def terms_of(overlap, cos_theta, sigma, surprise, seconds, features):
+def terms_of(overlap, cos_theta, sigma, surprise, seconds, rival, features):
     """As in frontend/tracking_doubt.cc."""
     return [1, overlap, min(cos_theta, 1.5), np.log(sigma / 1e-3 + 1e-3),
-            np.log1p(surprise / 0.02), np.log1p(30 * max(seconds, 0)), features == 1, features == 2]
+            np.log1p(surprise / 0.02), np.log1p(30 * max(seconds, 0)), min(rival, 1),
+            features == 1, features == 2]
 
 
 def probabilities(terms, coefficients):

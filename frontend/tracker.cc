@@ -39,6 +39,7 @@ Tracker::Impl::Impl(const Camera& camera_in, const TrackerOptions& options_in)
 TrackedFrame Tracker::Impl::track(const RgbdFrame& given, const StartFinder& find_start) {
   prepare(given);
   FrameRecord record = blank;
+  evidence.reset();
   const std::string problem = select_points_of_frame();
   record.points = seen.size();
   if (!problem.empty()) return {reject(std::move(record), problem), std::nullopt};
@@ -48,6 +49,8 @@ TrackedFrame Tracker::Impl::track(const RgbdFrame& given, const StartFinder& fin
   record.keyframe = registered.keyframe;
   record.promoted_keyframe = registered.promoted_keyframe;
   record.doubt = registered.doubt;
+  record.features_asked = starts.features_asked;
+  evidence = registered.evidence;
   record.registration = registered.result;
   record.T_world_camera = registered.T_world_camera;
   if (!registered.is_believed()) {
@@ -97,9 +100,17 @@ void Tracker::Impl::prepare(const RgbdFrame& given) {
 std::string Tracker::Impl::select_points_of_frame() {
   seen.clear();
   if (!image_problem.empty()) return image_problem;
-  select(frame, options.points, seen);
+  select(frame, number_of_points(), seen);
   if (seen.size() >= static_cast<std::size_t>(options.lost.min_points)) return {};
   return fmt::format("only {} points with gradient and depth", seen.size());
+}
+
+/// How many points the frame in work gets. After a long step it shows less of what the keyframe
+/// shows, and there is time for twice as many.
+int Tracker::Impl::number_of_points() const {
+  const bool is_long_step = keyframe && options.prediction == Prediction::kConstantVelocity &&
+                            motion.is_far(frame.images.stamp);
+  return is_long_step ? 2 * options.points : options.points;
 }
 
 /// Selects points as the rows saw them; the motion between the two images is taken out.
@@ -245,6 +256,10 @@ std::optional<TrackerKeyframe> Tracker::take_keyframe() {
 
 PointCloud Tracker::select_keyframe_points() {
   return ExclusiveAccess(impl_, "Tracker")->select_keyframe_points();
+}
+
+std::optional<DoubtEvidence> last_evidence(const Tracker& tracker) {
+  return ExclusiveAccess(tracker.impl_, "Tracker")->evidence;
 }
 
 Trajectory to_trajectory(const std::vector<FrameRecord>& records) {

@@ -20,6 +20,7 @@
 namespace cvo_slam {
 
 class SavedState;
+struct DoubtEvidence;
 
 /// What a frame is registered to.
 enum class Reference {
@@ -81,7 +82,9 @@ struct LostOptions {
 
 /// How a camera is tracked.
 struct TrackerOptions {
-  /// Number of points of a frame. Twice as many cost twice the time and gain nothing; lower it for
+  /// Number of points of a frame. Twice as many cost twice the time and gain nothing at 30 frames a
+  /// second; they are taken where the last frame is more than 0.05 s ago (with
+  /// Prediction::kConstantVelocity), because frames far apart have fewer in common. Lower it for
   /// slow machines.
   int points = 1500;
   /// Number of points of a keyframe. More than of a frame, so that most points of a frame find
@@ -152,6 +155,7 @@ struct FrameRecord {
   /// Probability that the pose relative to the keyframe is wrong by more than 5 cm or 3 degrees, by
   /// a model that was fitted to recordings with true poses. Of a lost frame, that of the last try.
   double doubt = 0;
+  bool features_asked = false;      ///< true if a start was looked for by features (StartFinder)
   std::size_t points = 0;           ///< number of selected points
   RegistrationResult registration;  ///< to the keyframe: T_fixed_moving = T_keyframe_camera
 };
@@ -164,9 +168,10 @@ struct TrackerKeyframe {
 };
 
 /// Finds T_keyframe_camera of a frame from the images of the two, whatever the motion between them:
-/// by features, for example. None if it cannot.
-using StartFinder =
-    std::function<std::optional<SE3>(const RgbdFrame& keyframe, const RgbdFrame& frame)>;
+/// by features, for example. None if it cannot. The keyframe's pose is told to those who also
+/// compare the frame with other images of the same submap.
+using StartFinder = std::function<std::optional<SE3>(
+    const RgbdFrame& keyframe, const SE3& T_world_keyframe, const RgbdFrame& frame)>;
 
 /// What Tracker::track() returns for a frame.
 struct TrackedFrame {
@@ -215,6 +220,8 @@ class Tracker {
   void exchange(SavedState& state);
 
  private:
+  friend std::optional<DoubtEvidence> last_evidence(const Tracker& tracker);
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cvo_slam/core/exclusive_access.h"
 #include "cvo_slam/core/saved_state.h"
@@ -29,6 +30,7 @@ struct Registered {
   SE3 T_world_camera;
   std::string fault;  // why it is not believed; empty if it is
   double doubt = 1;
+  std::optional<DoubtEvidence> evidence = std::nullopt;  // of the doubt; none of a failure
   std::optional<std::size_t> promoted_keyframe = std::nullopt;
 
   [[nodiscard]] bool is_believed() const { return fault.empty(); }
@@ -48,11 +50,32 @@ struct CurrentKeyframe {
   }
 };
 
+/// What a registration to the keyframe answered.
+struct Answer {
+  SE3 T_keyframe_camera;
+  Matrix6 covariance = Matrix6::Zero();
+  double cos_theta = 0;
+};
+
 /// Where the frame in work may be.
 struct FrameStarts {
   SE3 T_predicted;                      // by the velocity
   std::optional<SE3> T_seen;            // the same, turned as the images say
   std::optional<SE3> T_keyframe_found;  // by features, to the keyframe
+  bool features_asked = false;
+  std::vector<Answer> answers;  // that registrations to the keyframe gave
+
+  /// Forgets what is known relative to the keyframe, which is another one now.
+  void forget_keyframe() {
+    T_keyframe_found.reset();
+    answers.clear();  // keeps its memory for the next frame
+  }
+  /// Forgets all.
+  void clear() {
+    forget_keyframe();
+    T_seen.reset();
+    features_asked = false;
+  }
 };
 
 /// Keyframes are always made of the last tracked frame, whose pose is motion.last_pose().
@@ -86,6 +109,7 @@ struct Tracker::Impl {
   int lost_in_a_row = 0;
   Timestamp first_lost;  // stamp of the first of these
   FrameStarts starts;
+  std::optional<DoubtEvidence> evidence;  // of the frame given last
 
   TrackedFrame track(const RgbdFrame& given, const StartFinder& find_start);
   FrameRecord resume(const SE3& T_world_camera);
@@ -94,6 +118,7 @@ struct Tracker::Impl {
 
   void prepare(const RgbdFrame& given);
   [[nodiscard]] std::string select_points_of_frame();
+  [[nodiscard]] int number_of_points() const;
   void select(const PreparedFrame& from, int count, PointCloud& cloud);
   void undo_shutter(const Vector6& velocity, PointCloud& cloud) const;
   void place_points(const Vector6& velocity);
@@ -103,11 +128,13 @@ struct Tracker::Impl {
 
   [[nodiscard]] bool is_lost_for_long() const;
   [[nodiscard]] double nearest_surprise(const SE3& T_world_camera) const;
+  [[nodiscard]] const Answer* strongest_rival(const RegistrationResult& result) const;
   [[nodiscard]] SE3 pose_as_seen(const SE3& T_last_camera) const;
   Registered register_frame(const StartFinder& find_start);
   void try_seen_start(Registered& best);
   void try_found_start(const StartFinder& find_start, Registered& best);
   void refuse_if_doubtful(Registered& registered) const;
+  void find_doubt(Registered& registered) const;
   Registered register_from(const SE3& T_world_camera_init, int skip);
   void judge(Registered& registered) const;
   [[nodiscard]] TrackingSituation situation_of(const Registered& registered, bool is_lost) const;

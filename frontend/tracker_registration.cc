@@ -18,6 +18,11 @@ bool is_turned(const Registered& registered, const SE3& T_world_start) {
   return (T_world_start.inverse() * registered.T_world_camera).angle() > kReach;
 }
 
+/// Returns true if a frame that is off by so much is better lost.
+bool is_wrong_by(const SE3& error) {
+  return error.translation().norm() > 0.1 /* m */ || kDegrees * error.angle() > 5;
+}
+
 /// Replaces a registration by another one that is more similar, or that is believed.
 void take_if_better(const Registered& other, Registered& registered) {
   if (!registered.is_believed() ||
@@ -35,9 +40,21 @@ SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
          turned_as_seen(T_last_camera, last_tracked.images.color, frame.images.color, camera.color);
 }
 
-/// Does not believe a registration that is likely to be wrong.
+/// Does not believe a registration that is likely to be wrong, or beside which another start led to
+/// an answer elsewhere that is as good.
 void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
-  if (!registered.is_believed() || registered.doubt <= options.lost.max_doubt) return;
+  if (!registered.is_believed()) return;
+  find_doubt(registered);  // there may be more answers now
+  const Answer* const rival = strongest_rival(registered.result);
+  if (rival != nullptr && is_ambiguous(*registered.evidence)) {
+    const SE3 T_best_rival = registered.result.T_fixed_moving.inverse() * rival->T_keyframe_camera;
+    if (is_wrong_by(T_best_rival)) {
+      registered.fault =
+          fmt::format("another pose, {:.2f} m and {:.1f} degrees away, is as similar",
+                      T_best_rival.translation().norm(), kDegrees * T_best_rival.angle());
+    }
+  }
+  if (registered.doubt <= options.lost.max_doubt) return;
   registered.fault =
       fmt::format("wrong by more than 5 cm or 3 degrees with a probability of {:.2f}, above {:.2f}",
                   registered.doubt, options.lost.max_doubt);
@@ -51,7 +68,7 @@ void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
 /// keyframe that was made without it, as at a start, makes that keyframe again.
 Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   const Timestamp stamp = frame.images.stamp;
-  starts = {};
+  starts.clear();
   if (stamp <= motion.last_stamp()) {
     Registered none;
     none.fault = fmt::format("its stamp is not after the stamp {} of the last tracked frame",
@@ -73,7 +90,7 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   }
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
     make_keyframe();
-    starts.T_keyframe_found.reset();
+    starts.forget_keyframe();
     registered = register_from(predict ? pose_as_seen(SE3()) : motion.last_pose(), 0);
     if (registered.is_doubtful()) try_found_start(find_start, registered);
     refuse_if_doubtful(registered);
@@ -109,7 +126,8 @@ void Tracker::Impl::try_seen_start(Registered& best) {
 /// believed any more.
 void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& best) {
   if (!find_start) return;
-  starts.T_keyframe_found = find_start(keyframe_images, frame.images);
+  starts.features_asked = true;
+  starts.T_keyframe_found = find_start(keyframe_images, keyframe->T_world_camera, frame.images);
   if (!starts.T_keyframe_found) return;
   judge(best);  // it is from before the features were asked
   Registered found =
@@ -160,6 +178,10 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
   }
   registered.T_world_camera = T_world_keyframe * registered.result.T_fixed_moving;
   judge(registered);
+  if (registered.result.status != RegistrationStatus::kFailed) {
+    const RegistrationResult& result = registered.result;
+    starts.answers.push_back({result.T_fixed_moving, result.covariance, result.cos_theta});
+  }
   return registered;
 }
 
@@ -170,18 +192,39 @@ double Tracker::Impl::nearest_surprise(const SE3& T_world_camera) const {
   return std::min(by_velocity, surprise_of(starts.T_seen->inverse() * T_world_camera));
 }
 
+/// The most similar answer elsewhere; null if there is none.
+const Answer* Tracker::Impl::strongest_rival(const RegistrationResult& result) const {
+  const Answer* strongest = nullptr;
+  for (const Answer& answer : starts.answers) {
+    if (!are_apart(result.T_fixed_moving, result.covariance, answer.T_keyframe_camera,
+                   answer.covariance)) {
+      continue;
+    }
+    if (strongest == nullptr || answer.cos_theta > strongest->cos_theta) strongest = &answer;
+  }
+  return strongest;
+}
+
+/// Finds the doubt of a registration that has not failed.
+void Tracker::Impl::find_doubt(Registered& registered) const {
+  const RegistrationResult& result = registered.result;
+  const double seconds = seconds_between(motion.last_stamp(), frame.images.stamp);
+  DoubtEvidence known =
+      evidence_of(result, nearest_surprise(registered.T_world_camera), seconds, usual);
+  if (const Answer* const rival = strongest_rival(result)) {
+    known.rival = rival->cos_theta / result.cos_theta;
+  }
+  if (starts.T_keyframe_found) {
+    known.features = opinion_on(result.T_fixed_moving, *starts.T_keyframe_found);
+  }
+  registered.doubt = doubt_of(known);
+  registered.evidence = known;
+}
+
 /// Finds the doubt of a registration and whether it is believed.
 void Tracker::Impl::judge(Registered& registered) const {
   const RegistrationResult& result = registered.result;
-  if (result.status != RegistrationStatus::kFailed) {
-    const double seconds = seconds_between(motion.last_stamp(), frame.images.stamp);
-    DoubtEvidence evidence =
-        evidence_of(result, nearest_surprise(registered.T_world_camera), seconds, usual);
-    if (starts.T_keyframe_found) {
-      evidence.features = opinion_on(result.T_fixed_moving, *starts.T_keyframe_found);
-    }
-    registered.doubt = doubt_of(evidence);
-  }
+  if (result.status != RegistrationStatus::kFailed) find_doubt(registered);
   registered.fault = find_fault(result, situation_of(registered, lost_in_a_row > 0), options.lost);
 }
 
@@ -197,10 +240,11 @@ TrackingSituation Tracker::Impl::situation_of(const Registered& registered, bool
 Registered Tracker::Impl::register_to_remade_keyframe(const Registered& first) {
   motion.set_velocity(motion.velocity_to(frame.images.stamp, first.T_world_camera));
   make_keyframe();
-  select(frame, options.points, seen);
+  select(frame, number_of_points(), seen);
   Registered registered = register_from(first.T_world_camera, options.recovery_scales);
   registered.promoted_keyframe = first.promoted_keyframe;
   registered.doubt = first.doubt;  // it is the same motion
+  registered.evidence = first.evidence;
   return registered;
 }
 

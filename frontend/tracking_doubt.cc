@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "cvo_slam/frontend/tracking_doubt_internal.h"
@@ -17,6 +18,12 @@ double largest_sigma(const Matrix3& covariance) {
   return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
 }
 
+bool is_near(const SE3& difference) {
+  constexpr double kTranslation = 0.06;  // [m]; features of blurred images are as inexact
+  constexpr double kRotation = 0.06;     // [rad]
+  return difference.translation().norm() < kTranslation && difference.angle() < kRotation;
+}
+
 }  // namespace
 
 double doubt_of(const DoubtEvidence& evidence) {
@@ -24,8 +31,8 @@ double doubt_of(const DoubtEvidence& evidence) {
   constexpr double kStep = 0.02;  // [m, rad]; what a hand's velocity changes by in a frame
   constexpr double kRate = 30;    // [1/s]
   // One for each term, in the order of bench/fit_doubt.py.
-  constexpr std::array kCoefficients = {-0.679, -5.833, -2.144, -0.300,
-                                        3.274,  -0.139, -4.498, 2.048};
+  constexpr std::array kCoefficients = {-0.679, -5.833, -2.144, -0.300, 3.274,
+                                        -0.139, 0.0,    -4.498, 2.048};
   const std::array<double, kCoefficients.size()> terms = {
       1,
       evidence.overlap,
@@ -33,19 +40,31 @@ double doubt_of(const DoubtEvidence& evidence) {
       std::log(evidence.sigma / kMillimetre + 1e-3),
       std::log1p(evidence.surprise / kStep),
       std::log1p(kRate * std::max(evidence.seconds, 0.0)),
+      std::min(evidence.rival, 1.0),
       evidence.features == FeatureOpinion::kAgrees ? 1.0 : 0.0,
       evidence.features == FeatureOpinion::kElsewhere ? 1.0 : 0.0};
   const double sum = std::inner_product(terms.begin(), terms.end(), kCoefficients.begin(), 0.0);
   return 1 / (1 + std::exp(-sum));
 }
 
+bool are_apart(const SE3& T_fixed_a, const Matrix6& covariance_a, const SE3& T_fixed_b,
+               const Matrix6& covariance_b) {
+  constexpr double kChiSquare = 22.5;  // of six degrees of freedom, at 99.9 %
+  const SE3 T_a_b = T_fixed_a.inverse() * T_fixed_b;
+  if (is_near(T_a_b)) return false;
+  const Vector6 difference = T_a_b.log();
+  const AlignedMatrix6 covariance = covariance_a + covariance_b;
+  return difference.dot(covariance.ldlt().solve(difference)) > kChiSquare;
+}
+
+bool is_ambiguous(const DoubtEvidence& evidence) {
+  constexpr double kAsGood = 0.95;
+  return evidence.rival > kAsGood && evidence.features != FeatureOpinion::kAgrees;
+}
+
 FeatureOpinion opinion_on(const SE3& T_fixed_moving, const SE3& from_features) {
-  constexpr double kTranslation = 0.06;  // [m]; features of blurred images are as inexact
-  constexpr double kRotation = 0.06;     // [rad]
-  const SE3 difference = from_features.inverse() * T_fixed_moving;
-  const bool is_near =
-      difference.translation().norm() < kTranslation && difference.angle() < kRotation;
-  return is_near ? FeatureOpinion::kAgrees : FeatureOpinion::kElsewhere;
+  return is_near(from_features.inverse() * T_fixed_moving) ? FeatureOpinion::kAgrees
+                                                           : FeatureOpinion::kElsewhere;
 }
 
 void UsualSimilarity::add(double cos_theta) {
@@ -71,6 +90,7 @@ DoubtEvidence evidence_of(const RegistrationResult& result, double surprise, dou
                    largest_sigma(covariance.bottomRightCorner<3, 3>())),
           surprise,
           seconds,
+          0,
           FeatureOpinion::kNone};
 }
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "cvo_slam/core/saved_state.h"
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/registration.h"
+#include "cvo_slam/frontend/tracker.h"
 
 namespace cvo_slam {
 
@@ -23,8 +26,16 @@ struct DoubtEvidence {
   double sigma = 0;     ///< the larger standard deviation, each in its least certain direction
   double surprise = 0;  ///< how far it is from where it was predicted: surprise_of()
   double seconds = 0;   ///< time since the last tracked frame
+  /// The cos_theta of the best answer elsewhere that a registration from another start gave, as a
+  /// share of its own; 0 if there is none.
+  double rival = 0;
   FeatureOpinion features = FeatureOpinion::kNone;
 };
+
+/// Returns true if two answers of registrations of one frame are elsewhere: by more than 6 cm or
+/// 0.06 rad, and by more than their covariances explain.
+[[nodiscard]] bool are_apart(const SE3& T_fixed_a, const Matrix6& covariance_a,
+                             const SE3& T_fixed_b, const Matrix6& covariance_b);
 
 /// Compares a registration with T_fixed_moving from features.
 [[nodiscard]] FeatureOpinion opinion_on(const SE3& T_fixed_moving, const SE3& from_features);
@@ -33,6 +44,9 @@ struct DoubtEvidence {
 /// model that was fitted to recordings with their true poses (bench/fit_doubt.py,
 /// docs/results/doubt.md).
 [[nodiscard]] double doubt_of(const DoubtEvidence& evidence);
+
+/// Returns true if a rival is as good and features do not speak for the registration.
+[[nodiscard]] bool is_ambiguous(const DoubtEvidence& evidence);
 
 /// What cos_theta is usual in this scene: the mean over about the last hundred registrations.
 class UsualSimilarity {
@@ -52,8 +66,12 @@ class UsualSimilarity {
 /// the larger one of translation [m] and angle [rad].
 [[nodiscard]] double surprise_of(const SE3& T_predicted_camera);
 
-/// Returns the evidence before features are asked.
+/// Returns the evidence before features and rivals are known.
 [[nodiscard]] DoubtEvidence evidence_of(const RegistrationResult& result, double surprise,
                                         double seconds, const UsualSimilarity& usual);
+
+/// Returns what the tracker knew when it judged the frame that it was given last: for those who
+/// measure doubt_of(). Empty if that frame was not registered.
+[[nodiscard]] std::optional<DoubtEvidence> last_evidence(const Tracker& tracker);
 
 }  // namespace cvo_slam

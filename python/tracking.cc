@@ -106,6 +106,8 @@ void bind_record(py::module_& module) {
       .def_readonly("points", &FrameRecord::points, "Number of its points.")
       .def_readonly("doubt", &FrameRecord::doubt,
                     "Probability that the pose is wrong by more than 5 cm or 3 degrees.")
+      .def_readonly("features_asked", &FrameRecord::features_asked,
+                    "True if a start was looked for by features.")
       .def_readonly("registration", &FrameRecord::registration, "To the keyframe.")
       .def("__repr__", [](const FrameRecord& self) {
         const bool is_tracked = self.status == TrackingStatus::kTracked;

@@ -19,7 +19,7 @@ std::shared_ptr<const Appearance> AppearanceCache::of(const RgbdFrame& images) {
     }
   }
   auto appearance = detector_.extract(images);  // may be done twice: the results are the same
-  constexpr std::size_t kMost = 4;  // a keyframe, the frame after it, and the map's delay
+  constexpr std::size_t kMost = 6;  // three keyframes, a frame after them, and the map's delay
   const std::scoped_lock lock(mutex_);
   newest_.push_back(appearance);
   if (newest_.size() > kMost) newest_.pop_front();

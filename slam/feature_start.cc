@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The cvo_slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cvo_slam/core/error.h"
+#include "cvo_slam/frontend/point_selection.h"
 #include "cvo_slam/slam/feature_start_internal.h"
 
 namespace cvo_slam {
@@ -19,9 +21,35 @@ VerificationOptions for_starts(VerificationOptions options) {
 
 FeatureStart::FeatureStart(const Camera& camera, const VerificationOptions& options,
                            AppearanceCache& appearances)
-    : appearances_(appearances), verifier_(camera, for_starts(options)) {}
+    : camera_(camera), appearances_(appearances), verifier_(camera, for_starts(options)) {}
 
-std::optional<SE3> FeatureStart::find(const RgbdFrame& keyframe, const RgbdFrame& frame) {
+void FeatureStart::add(const RgbdFrame& images, const SE3& T_world_camera) {
+  constexpr std::size_t kMost = 2;
+  last_keyframes_.push_back({images, T_world_camera});
+  if (last_keyframes_.size() > kMost) last_keyframes_.pop_front();
+}
+
+std::optional<SE3> FeatureStart::find(const RgbdFrame& keyframe, const SE3& T_world_keyframe,
+                                      const RgbdFrame& frame) {
+  if (const auto T_keyframe_camera = compare(keyframe, frame)) return T_keyframe_camera;
+  for (auto last = last_keyframes_.rbegin(); last != last_keyframes_.rend(); ++last) {
+    if (last->images.index == keyframe.index) continue;
+    if (const auto T_last_camera = compare(last->images, frame)) {
+      return T_world_keyframe.inverse() * last->T_world_camera * *T_last_camera;
+    }
+  }
+  return std::nullopt;
+}
+
+void FeatureStart::exchange(SavedState& state) {
+  state(last_keyframes_);
+  for (const PosedImages& keyframe : last_keyframes_) {
+    if (check_images(keyframe.images, camera_).empty()) continue;
+    throw DataError("a saved state has images of another camera");
+  }
+}
+
+std::optional<SE3> FeatureStart::compare(const RgbdFrame& keyframe, const RgbdFrame& frame) {
   const Verification verification =
       verifier_.verify(*appearances_.of(keyframe), *appearances_.of(frame));
   if (!verification.accepted) return std::nullopt;

@@ -73,14 +73,15 @@ FrameRecord Slam::Impl::track(RgbdFrame frame) {
                     "in ascending order",
                     frame.index - first_number, history.newest().frame - first_number));
   }
-  const StartFinder find_start = [this](const RgbdFrame& reference, const RgbdFrame& image) {
-    return start->find(reference, image);
+  const StartFinder find_start = [this](const RgbdFrame& reference, const SE3& T_world_reference,
+                                        const RgbdFrame& image) {
+    return start->find(reference, T_world_reference, image);
   };
   auto [tracked, keyframe] = tracker.track(frame, start ? find_start : StartFinder());
   tracked.submap += first_submap;
   const bool extends_map = map_use != MapUse::kLocalize;
   // submit() reads last_tracked_record, that of the frame before this one: replaced only below.
-  if (keyframe && extends_map) submit(*keyframe);
+  if (keyframe) keep_keyframe(*keyframe);
   if (tracked.status == TrackingStatus::kLost) {
     is_located = false;
     if (options.loops.enabled) tracked = relocalize(frame, tracked);
@@ -89,7 +90,10 @@ FrameRecord Slam::Impl::track(RgbdFrame frame) {
   } else {
     localize(frame, tracked);
   }
-  if (tracked.status == TrackingStatus::kTracked) last_tracked_record = tracked;
+  if (tracked.status == TrackingStatus::kTracked) {
+    if (start && tracked.submap != last_tracked_record.submap) start->start_submap();
+    last_tracked_record = tracked;
+  }
   FrameRecord answer = in_map(tracked);
   if (map_use) {
     answer.localized = answer.status == TrackingStatus::kTracked && answer.submap < first_submap &&
@@ -155,8 +159,7 @@ FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lo
   const PointCloud cloud = tracker.select_keyframe_points();
   if (cloud.size() == 0) return lost;
   // resume() would drop it.
-  const auto keyframe = tracker.take_keyframe();
-  if (keyframe && map_use != MapUse::kLocalize) submit(*keyframe);
+  if (const auto keyframe = tracker.take_keyframe()) keep_keyframe(*keyframe);
   jobs.wait_until_left(0);  // for one thread at a time, and the same map in every schedule
   const auto pose = mapper.relocalize(frame, cloud);
   if (!pose || !consensus.add(frame.stamp, history.seconds_until(frame.stamp), *pose)) return lost;
@@ -171,6 +174,12 @@ FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lo
   // The tracker goes on in the map's own world.
   corrections[record.submap] = {pose->submap, SE3()};
   return record;
+}
+
+/// Takes a keyframe that is final, which is always the frame that was tracked last.
+void Slam::Impl::keep_keyframe(const TrackerKeyframe& keyframe) {
+  if (start) start->add(keyframe.images, last_tracked_record.T_world_camera);
+  if (map_use != MapUse::kLocalize) submit(keyframe);
 }
 
 /// Hands a keyframe to the mapper, which is always the frame that was tracked last, and applies

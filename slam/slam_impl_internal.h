@@ -86,6 +86,7 @@ struct Slam::Impl {
   [[nodiscard]] Map map(MapContent content);
   void localize(const RgbdFrame& frame, const FrameRecord& tracked);
   [[nodiscard]] FrameRecord relocalize(const RgbdFrame& frame, const FrameRecord& lost);
+  void keep_keyframe(const TrackerKeyframe& keyframe);
   void submit(const TrackerKeyframe& keyframe);
   void apply_corrections(std::size_t left);
   [[nodiscard]] FrameRecord in_map(FrameRecord record) const;

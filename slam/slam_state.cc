@@ -11,7 +11,7 @@ namespace cvo_slam {
 namespace {
 
 /// Rises with every change of what a class writes.
-constexpr int kSessionFormat = 1;
+constexpr int kSessionFormat = 2;
 
 }  // namespace
 
@@ -60,6 +60,7 @@ void Slam::Impl::exchange(SavedState& state, const Map& map) {
         last_tracked_record.index, last_tracked_record.stamp, last_tracked_record.keyframe,
         last_tracked_record.submap, last_tracked_record.T_world_camera, last.T_fixed_moving,
         last.covariance, last.cos_theta);
+  if (start) state(*start);
   mapper.exchange(state, map);
   const bool has_row = !recognized || recognized->row < mapper.candidates().size();
   if (!has_row || !history.is_consistent()) {

@@ -18,7 +18,8 @@ def runs_of(cell):
     if not cell.exists():
         return None
     runs = {}
-    for system in json.loads(cell.read_text())["systems"]:
+    report = json.loads(cell.read_text())
+    for system in report["systems"]:
         evaluation = system["evaluation"] or {}
         second = next((rpe["error"] for rpe in evaluation.get("rpe", []) if rpe["unit"] == "s"), None)
         ate = evaluation.get("ate")
@@ -28,6 +29,8 @@ def runs_of(cell):
             "ate_mm": ate["translation_m"]["rmse"] * 1e3 if ate else None,
             "lost": system["lost"],
             "wrong": system.get("wrong"),  # None without a reference, and in cells of older programs
+            "features_asked": system.get("features_asked"),  # None in odometry, and in such cells
+            "frames": len(range(report["begin"], report["end"], report["step"])),
             "cpu_ms": system["cpu_ms"]["mean"],
         }
     return runs
@@ -37,11 +40,13 @@ def values(runs, figure):
     return [run[figure] for run in runs.values() if run[figure] is not None]
 
 
-def wins(runs, other, figure):
-    """In how many pairs of runs ours is the lower, and of how many."""
+def compare(runs, other, figure):
+    """In how many pairs of runs ours is the lower and the higher, and of how many. What is equal as
+    printed is neither."""
     pairs = [(runs[name][figure], other[name][figure]) for name in runs if name in other]
-    pairs = [(a, b) for a, b in pairs if a is not None and b is not None]
-    return sum(a < b for a, b in pairs), len(pairs)
+    pairs = [(round(a, DIGITS[figure] + 1), round(b, DIGITS[figure] + 1)) for a, b in pairs
+             if a is not None and b is not None]
+    return sum(a < b for a, b in pairs), sum(a > b for a, b in pairs), len(pairs)
 
 
 def count_wrong(runs):
@@ -53,10 +58,16 @@ def count_wrong(runs):
     return sum(len(wrong["frames"]) for wrong in found), sum(wrong["checked"] for wrong in found)
 
 
+def share_asked(runs):
+    """Of how many of the frames of all runs features were asked; None if that was not counted."""
+    asked = [run["features_asked"] for run in runs.values()]
+    return None if None in asked else sum(asked) / sum(run["frames"] for run in runs.values())
+
+
 def summarise(runs, other):
     wrong, checked = count_wrong(runs)
     row = {"runs": len(runs), "lost": sum(run["lost"] for run in runs.values()),
-           "wrong": wrong, "wrong_of": checked,
+           "wrong": wrong, "wrong_of": checked, "features_asked": share_asked(runs),
            "cpu_ms": statistics.median(values(runs, "cpu_ms"))}
     for figure in FIGURES:
         found = values(runs, figure)
@@ -66,7 +77,8 @@ def summarise(runs, other):
         row[figure + "_min"], row[figure + "_max"] = min(found), max(found)
         if other and values(other, figure):
             row[figure + "_against"] = statistics.median(values(other, figure))
-            row[figure + "_wins"], row[figure + "_pairs"] = wins(runs, other, figure)
+            (row[figure + "_wins"], row[figure + "_losses"],
+             row[figure + "_pairs"]) = compare(runs, other, figure)
     if other:
         row["lost_against"] = sum(run["lost"] for run in other.values())
         row["wrong_against"] = count_wrong(other)[0]
@@ -81,8 +93,8 @@ def cell_text(row, figure):
     text = "{} [{}, {}]".format(*(number.format(row[figure + end]) for end in ("", "_min", "_max")))
     if figure + "_against" not in row:
         return text
-    return "{} → {}; {} of {}".format(number.format(row[figure + "_against"]), text,
-                                      row[figure + "_wins"], row[figure + "_pairs"])
+    return "{} → {}; {}, {}".format(number.format(row[figure + "_against"]), text,
+                                    row[figure + "_wins"], row[figure + "_losses"])
 
 
 def table(rows, mode, against):
@@ -116,6 +128,15 @@ def wrong_text(rows, mode, cells):
     if rows and None not in others:
         text += f"; the other program: {sum(others)}"
     return "\n".join([text + "."] + ([""] + lines if lines else []))
+
+
+def features_text(rows, mode):
+    """Where features were asked for a second opinion."""
+    rows = [row for row in rows if row["mode"] == mode and row["features_asked"] is not None]
+    if not rows:
+        return ""
+    asked = [f"{row['sequence']} {row['features_asked']:.1%}" for row in rows if row["features_asked"]]
+    return "Share of the frames for which features were asked: " + ", ".join(asked + ["all others 0"]) + "."
 
 
 def others_table(folder, sequences, rows):
@@ -176,11 +197,12 @@ def main():
             "the lost frames, which keep the pose before them; `wrong` is the sum of the frames that are called",
             "tracked although their motion since the last right one is off by more than 10 cm or 5 degrees."]
     if against:
-        text += ["`a → b; w of n`: the other program has the median a, this one b, and is better in w of",
-                 "n runs with the same perturbation. Times of two programs were not measured in one run."]
+        text += ["`a → b; w, l`: the other program has the median a, this one b, and is better in w and worse",
+                 "in l runs with the same perturbation; the others are equal to a tenth of what is printed. Times",
+                 "of two programs were not measured in one run."]
     for mode in arguments.modes:
         text += ["", f"## {mode}", "", table(rows, mode, against), "",
-                 wrong_text(rows, mode, arguments.cells)]
+                 wrong_text(rows, mode, arguments.cells), "", features_text(rows, mode)]
     if arguments.others:
         text += ["", "## Other systems", "", "One run of each, beside the medians of our odometry.", "",
                  others_table(arguments.others, arguments.sequences, rows)]

@@ -298,7 +298,8 @@ TEST_F(LostFrames, AStartThatSomebodyFindsReachesFurther) {
   constexpr std::size_t kFar = 30;
   constexpr std::size_t kAskedFor = 31;
   std::size_t asked = 0;
-  const StartFinder find_start = [&](const RgbdFrame& keyframe, const RgbdFrame& frame) {
+  const StartFinder find_start = [&](const RgbdFrame& keyframe, const SE3&,
+                                     const RgbdFrame& frame) {
     ++asked;
     return frames_.T_first_camera(keyframe.index, frame.index);
   };
@@ -314,10 +315,10 @@ TEST_F(LostFrames, AStartThatSomebodyFindsReachesFurther) {
 
 // Whoever finds it may be wrong.
 TEST_F(LostFrames, AFoundStartIsNotTakenBlindly) {
-  const StartFinder find_nonsense = [](const RgbdFrame&, const RgbdFrame&) {
+  const StartFinder find_nonsense = [](const RgbdFrame&, const SE3&, const RgbdFrame&) {
     return SE3(so3_exp({0, 1, 0}), {0.5, 0, 0});
   };
-  const StartFinder find_nothing = [](const RgbdFrame&, const RgbdFrame&) {
+  const StartFinder find_nothing = [](const RgbdFrame&, const SE3&, const RgbdFrame&) {
     return std::optional<SE3>();
   };
   for (std::size_t i = 0; i < 3; ++i) tracker_.track(frames_.frame(i));

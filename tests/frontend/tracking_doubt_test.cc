@@ -37,6 +37,7 @@ TEST(Doubt, GrowsWithWhatSpeaksAgainstAFrame) {
   EXPECT_GT(doubt_after([](auto& e) { e.overlap = 0.4; }), usual);
   EXPECT_GT(doubt_after([](auto& e) { e.relative_cos_theta = 0.4; }), usual);
   EXPECT_GT(doubt_after([](auto& e) { e.surprise = 0.2; }), usual);
+  EXPECT_GT(doubt_after([](auto& e) { e.rival = 0.8; }), usual);
   EXPECT_GT(doubt_after([](auto& e) { e.features = FeatureOpinion::kElsewhere; }), usual);
   EXPECT_LT(doubt_after([](auto& e) { e.features = FeatureOpinion::kAgrees; }), usual);
   EXPECT_GT(doubt_after([](auto& e) {
@@ -46,6 +47,30 @@ TEST(Doubt, GrowsWithWhatSpeaksAgainstAFrame) {
               e.seconds = 0.5;
             }),
             0.9);
+}
+
+TEST(Doubt, ARivalIsElsewhereBeyondWhatTheCovariancesExplain) {
+  const Matrix6 certain = 1e-6 * Matrix6::Identity();
+  const Matrix6 uncertain = 1e-2 * Matrix6::Identity();
+  const SE3 near(so3_exp({0, 0.05, 0}), {0.05, 0, 0});
+  const SE3 far(so3_exp({0, 0, 0}), {0.07, 0, 0});
+  EXPECT_FALSE(are_apart(SE3(), certain, near, certain));
+  EXPECT_TRUE(are_apart(SE3(), certain, far, certain));
+  EXPECT_TRUE(are_apart(SE3(), certain, SE3(so3_exp({0, 0.07, 0}), {0, 0, 0}), certain));
+  EXPECT_FALSE(are_apart(SE3(), certain, far, uncertain)) << "a wall along which nothing holds it";
+}
+
+TEST(Doubt, ARivalAsGoodMakesAnAnswerAmbiguousUnlessFeaturesAgreeWithIt) {
+  DoubtEvidence evidence = usual_evidence();
+  EXPECT_FALSE(is_ambiguous(evidence));
+  evidence.rival = 0.9;
+  EXPECT_FALSE(is_ambiguous(evidence)) << "clearly worse";
+  evidence.rival = 0.98;
+  EXPECT_TRUE(is_ambiguous(evidence));
+  evidence.features = FeatureOpinion::kElsewhere;
+  EXPECT_TRUE(is_ambiguous(evidence));
+  evidence.features = FeatureOpinion::kAgrees;
+  EXPECT_FALSE(is_ambiguous(evidence));
 }
 
 TEST(Doubt, TheUsualSimilarityIsThatOfTheLastFrames) {
