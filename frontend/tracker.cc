@@ -178,6 +178,7 @@ FrameRecord Tracker::Impl::start_submap(FrameRecord record, const SE3& T_world_c
   record.keyframe = record.index;
   record.keyframe_reason = "start of a submap";
   record.doubt = 0;
+  evidence.reset();
   record.registration = {};
   record.registration.status = RegistrationStatus::kConverged;
   record.registration.reason = "the keyframe itself";

@@ -18,11 +18,6 @@ bool is_turned(const Registered& registered, const SE3& T_world_start) {
   return (T_world_start.inverse() * registered.T_world_camera).angle() > kReach;
 }
 
-/// Returns true if a frame that is off by so much is better lost.
-bool is_wrong_by(const SE3& error) {
-  return error.translation().norm() > 0.1 /* m */ || kDegrees * error.angle() > 5;
-}
-
 /// Replaces a registration by another one that is more similar, or that is believed.
 void take_if_better(const Registered& other, Registered& registered) {
   if (!registered.is_believed() ||
@@ -45,14 +40,10 @@ SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
 void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
   if (!registered.is_believed()) return;
   find_doubt(registered);  // there may be more answers now
-  const Answer* const rival = strongest_rival(registered.result);
-  if (rival != nullptr && is_ambiguous(*registered.evidence)) {
-    const SE3 T_best_rival = registered.result.T_fixed_moving.inverse() * rival->T_keyframe_camera;
-    if (is_wrong_by(T_best_rival)) {
-      registered.fault =
-          fmt::format("another pose, {:.2f} m and {:.1f} degrees away, is as similar",
-                      T_best_rival.translation().norm(), kDegrees * T_best_rival.angle());
-    }
+  if (const Answer* const rival = strongest_rival(registered.result)) {
+    registered.fault =
+        find_ambiguity(*registered.evidence,
+                       registered.result.T_fixed_moving.inverse() * rival->T_keyframe_camera);
   }
   if (registered.doubt <= options.lost.max_doubt) return;
   registered.fault =

@@ -31,8 +31,8 @@ double doubt_of(const DoubtEvidence& evidence) {
   constexpr double kStep = 0.02;  // [m, rad]; what a hand's velocity changes by in a frame
   constexpr double kRate = 30;    // [1/s]
   // One for each term, in the order of bench/fit_doubt.py.
-  constexpr std::array kCoefficients = {-0.679, -5.833, -2.144, -0.300, 3.274,
-                                        -0.139, 0.0,    -4.498, 2.048};
+  constexpr std::array kCoefficients = {-1.858, -5.452, -1.590, 0.023, 2.874,
+                                        0.138,  0.983,  -4.338, 2.294};
   const std::array<double, kCoefficients.size()> terms = {
       1,
       evidence.overlap,
@@ -55,11 +55,6 @@ bool are_apart(const SE3& T_fixed_a, const Matrix6& covariance_a, const SE3& T_f
   const Vector6 difference = T_a_b.log();
   const AlignedMatrix6 covariance = covariance_a + covariance_b;
   return difference.dot(covariance.ldlt().solve(difference)) > kChiSquare;
-}
-
-bool is_ambiguous(const DoubtEvidence& evidence) {
-  constexpr double kAsGood = 0.95;
-  return evidence.rival > kAsGood && evidence.features != FeatureOpinion::kAgrees;
 }
 
 FeatureOpinion opinion_on(const SE3& T_fixed_moving, const SE3& from_features) {

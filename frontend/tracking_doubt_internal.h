@@ -45,9 +45,6 @@ struct DoubtEvidence {
 /// docs/results/doubt.md).
 [[nodiscard]] double doubt_of(const DoubtEvidence& evidence);
 
-/// Returns true if a rival is as good and features do not speak for the registration.
-[[nodiscard]] bool is_ambiguous(const DoubtEvidence& evidence);
-
 /// What cos_theta is usual in this scene: the mean over about the last hundred registrations.
 class UsualSimilarity {
  public:

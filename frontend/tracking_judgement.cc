@@ -55,6 +55,18 @@ std::string find_fault(const RegistrationResult& result, const TrackingSituation
   return find_motion_fault(situation.T_last_camera, situation.seconds, limits);
 }
 
+std::string find_ambiguity(const DoubtEvidence& evidence, const SE3& T_camera_rival) {
+  constexpr double kAsGood = 0.95;
+  constexpr double kTranslation = 0.1;  // [m]
+  constexpr double kRotation = 5;       // [deg]
+  const double translation = T_camera_rival.translation().norm();
+  const double rotation = kDegrees * T_camera_rival.angle();
+  const bool is_open = evidence.rival > kAsGood && evidence.features != FeatureOpinion::kAgrees;
+  if (!is_open || (translation <= kTranslation && rotation <= kRotation)) return {};
+  return fmt::format("another pose, {:.2f} m and {:.1f} degrees away, is as similar", translation,
+                     rotation);
+}
+
 void KeyframePolicy::keyframe_made() {
   // The expectation falls with each keyframe unless it is met again: after some ten of them a fast
   // turn is over, and new holes in the depth are noticed.

@@ -8,6 +8,7 @@
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/frontend/tracker.h"
+#include "cvo_slam/frontend/tracking_doubt_internal.h"
 
 namespace cvo_slam {
 
@@ -28,6 +29,11 @@ struct TrackingSituation {
 /// doubtful otherwise: stamps may be counted and not measured.
 [[nodiscard]] std::string find_fault(const RegistrationResult& result,
                                      const TrackingSituation& situation, const LostOptions& limits);
+
+/// Returns why a registration is not believed beside a rival, an answer elsewhere from another
+/// start; empty if it is. A rival as good, that features do not speak against, loses the frame if
+/// one of the two must be wrong by more than 10 cm or 5 degrees.
+[[nodiscard]] std::string find_ambiguity(const DoubtEvidence& evidence, const SE3& T_camera_rival);
 
 /// Decides which tracked frames become keyframes.
 class KeyframePolicy {

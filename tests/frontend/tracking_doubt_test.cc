@@ -9,6 +9,7 @@
 
 #include "cvo_slam/frontend/tracker.h"
 #include "cvo_slam/frontend/tracking_doubt_internal.h"
+#include "cvo_slam/frontend/tracking_judgement_internal.h"
 #include "cvo_slam/tests/frontend/synthetic_frames.h"
 #include "cvo_slam/tests/frontend/test_frames.h"
 
@@ -60,17 +61,20 @@ TEST(Doubt, ARivalIsElsewhereBeyondWhatTheCovariancesExplain) {
   EXPECT_FALSE(are_apart(SE3(), certain, far, uncertain)) << "a wall along which nothing holds it";
 }
 
-TEST(Doubt, ARivalAsGoodMakesAnAnswerAmbiguousUnlessFeaturesAgreeWithIt) {
+TEST(Doubt, ARivalAsGoodLosesTheFrameUnlessFeaturesAgreeWithIt) {
+  const SE3 far(so3_exp({0, 0.02, 0}), {0.3, 0, 0.4});
   DoubtEvidence evidence = usual_evidence();
-  EXPECT_FALSE(is_ambiguous(evidence));
   evidence.rival = 0.9;
-  EXPECT_FALSE(is_ambiguous(evidence)) << "clearly worse";
+  EXPECT_EQ(find_ambiguity(evidence, far), "") << "clearly worse";
   evidence.rival = 0.98;
-  EXPECT_TRUE(is_ambiguous(evidence));
+  EXPECT_EQ(find_ambiguity(evidence, far),
+            "another pose, 0.50 m and 1.1 degrees away, is as similar");
+  EXPECT_EQ(find_ambiguity(evidence, SE3(so3_exp({0, 0.02, 0}), {0.08, 0, 0})), "")
+      << "not worth a frame";
   evidence.features = FeatureOpinion::kElsewhere;
-  EXPECT_TRUE(is_ambiguous(evidence));
+  EXPECT_NE(find_ambiguity(evidence, far), "");
   evidence.features = FeatureOpinion::kAgrees;
-  EXPECT_FALSE(is_ambiguous(evidence));
+  EXPECT_EQ(find_ambiguity(evidence, far), "");
 }
 
 TEST(Doubt, TheUsualSimilarityIsThatOfTheLastFrames) {
