@@ -38,7 +38,8 @@ class OdometrySystem {
   /// tracked; frames that it has no pose for are not in it, and count as lost.
   [[nodiscard]] virtual std::optional<Trajectory> finish() { return std::nullopt; }
 
-  /// Returns for how many frames it has looked for a start by features; empty if it never does.
+  /// Returns for how many frames it has looked for a start by features; empty if that is not
+  /// counted.
   [[nodiscard]] virtual std::optional<std::size_t> features_asked() const { return std::nullopt; }
 };
 

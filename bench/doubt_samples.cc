@@ -58,7 +58,7 @@ void print_samples(const Dataset& data, std::size_t step, const Arguments& argum
         tracker.track(data.read(i), arguments.with_features ? find_start : StartFinder());
     if (keyframe) start.add(keyframe->images, last_tracked.T_world_camera);
     if (record.status == TrackingStatus::kTracked) {
-      if (record.submap != last_tracked.submap) start.start_submap();
+      if (record.submap != last_tracked.submap) start.clear();
       last_tracked = record;
     }
     const RegistrationResult& result = record.registration;

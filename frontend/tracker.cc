@@ -106,11 +106,12 @@ std::string Tracker::Impl::select_points_of_frame() {
 }
 
 /// How many points the frame in work gets. After a long step it shows less of what the keyframe
-/// shows, and there is time for twice as many.
+/// shows, and there is time for twice as many, up to those of a keyframe.
 int Tracker::Impl::number_of_points() const {
   const bool is_long_step = keyframe && options.prediction == Prediction::kConstantVelocity &&
                             motion.is_far(frame.images.stamp);
-  return is_long_step ? 2 * options.points : options.points;
+  if (!is_long_step) return options.points;
+  return std::max(options.points, std::min(2 * options.points, options.keyframe_points));
 }
 
 /// Selects points as the rows saw them; the motion between the two images is taken out.

@@ -83,9 +83,9 @@ struct LostOptions {
 /// How a camera is tracked.
 struct TrackerOptions {
   /// Number of points of a frame. Twice as many cost twice the time and gain nothing at 30 frames a
-  /// second; they are taken where the last frame is more than 0.05 s ago (with
-  /// Prediction::kConstantVelocity), because frames far apart have fewer in common. Lower it for
-  /// slow machines.
+  /// second; they are taken, up to keyframe_points, where the last tracked frame is more than 0.05
+  /// s ago (with Prediction::kConstantVelocity), because frames far apart have fewer in common.
+  /// Lower it for slow machines.
   int points = 1500;
   /// Number of points of a keyframe. More than of a frame, so that most points of a frame find
   /// the very same spot of a surface.

@@ -31,10 +31,14 @@ struct Registered {
   std::string fault;  // why it is not believed; empty if it is
   double doubt = 1;
   std::optional<DoubtEvidence> evidence = std::nullopt;  // of the doubt; none of a failure
+  /// Another answer that is as good, unless features agree with this one.
+  std::optional<SE3> T_keyframe_rival = std::nullopt;
   std::optional<std::size_t> promoted_keyframe = std::nullopt;
 
   [[nodiscard]] bool is_believed() const { return fault.empty(); }
-  [[nodiscard]] bool is_doubtful() const { return !is_believed() || doubt > kDoubtful; }
+  [[nodiscard]] bool is_doubtful() const {
+    return !is_believed() || doubt > kDoubtful || T_keyframe_rival;
+  }
 };
 
 /// The keyframe that frames are registered to.
@@ -50,13 +54,6 @@ struct CurrentKeyframe {
   }
 };
 
-/// What a registration to the keyframe answered.
-struct Answer {
-  SE3 T_keyframe_camera;
-  Matrix6 covariance = Matrix6::Zero();
-  double cos_theta = 0;
-};
-
 /// Where the frame in work may be.
 struct FrameStarts {
   SE3 T_predicted;                      // by the velocity
@@ -70,7 +67,7 @@ struct FrameStarts {
     T_keyframe_found.reset();
     answers.clear();  // keeps its memory for the next frame
   }
-  /// Forgets all.
+  /// Forgets all but the prediction.
   void clear() {
     forget_keyframe();
     T_seen.reset();
@@ -128,13 +125,14 @@ struct Tracker::Impl {
 
   [[nodiscard]] bool is_lost_for_long() const;
   [[nodiscard]] double nearest_surprise(const SE3& T_world_camera) const;
-  [[nodiscard]] const Answer* strongest_rival(const RegistrationResult& result) const;
+  [[nodiscard]] double share_of_rival(const RegistrationResult& result) const;
   [[nodiscard]] SE3 pose_as_seen(const SE3& T_last_camera) const;
   Registered register_frame(const StartFinder& find_start);
   void try_seen_start(Registered& best);
   void try_found_start(const StartFinder& find_start, Registered& best);
   void refuse_if_doubtful(Registered& registered) const;
   void find_doubt(Registered& registered) const;
+  void find_rival(Registered& registered) const;
   Registered register_from(const SE3& T_world_camera_init, int skip);
   void judge(Registered& registered) const;
   [[nodiscard]] TrackingSituation situation_of(const Registered& registered, bool is_lost) const;

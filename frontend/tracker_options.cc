@@ -48,7 +48,8 @@ OptionSet describe(TrackerOptions& o) {
   return OptionSet()
       .add("points", o.points, {50, 100000}, "",
            "Number of points of a frame. Twice as many cost twice the time and gain nothing at 30 "
-           "frames a second; they are taken more than 0.05 s after the last frame.")
+           "frames a second; they are taken more than 0.05 s after the last tracked frame, with "
+           "the constant_velocity prediction.")
       .add("keyframe_points", o.keyframe_points, {50, 100000}, "",
            "Number of points of a keyframe: more than of a frame, so that most points of a frame "
            "find the very same spot of a surface.")

@@ -40,10 +40,12 @@ SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
 void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
   if (!registered.is_believed()) return;
   find_doubt(registered);  // there may be more answers now
-  if (const Answer* const rival = strongest_rival(registered.result)) {
+  if (registered.T_keyframe_rival) {
+    const SE3 T_camera_rival =
+        registered.result.T_fixed_moving.inverse() * *registered.T_keyframe_rival;
     registered.fault =
-        find_ambiguity(*registered.evidence,
-                       registered.result.T_fixed_moving.inverse() * rival->T_keyframe_camera);
+        fmt::format("another pose, {:.2f} m and {:.1f} degrees away, is as similar",
+                    T_camera_rival.translation().norm(), kDegrees * T_camera_rival.angle());
   }
   if (registered.doubt <= options.lost.max_doubt) return;
   registered.fault =
@@ -80,9 +82,14 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
     refuse_if_doubtful(registered);
   }
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
+    std::optional<SE3> T_world_rival;
+    if (registered.T_keyframe_rival) {
+      T_world_rival = keyframe->T_world_camera * *registered.T_keyframe_rival;
+    }
     make_keyframe();
     starts.forget_keyframe();
     registered = register_from(predict ? pose_as_seen(SE3()) : motion.last_pose(), 0);
+    if (T_world_rival) take_if_better(register_from(*T_world_rival, 0), registered);
     if (registered.is_doubtful()) try_found_start(find_start, registered);
     refuse_if_doubtful(registered);
     registered.promoted_keyframe = keyframe->frame;
@@ -109,6 +116,7 @@ void Tracker::Impl::try_seen_start(Registered& best) {
   if (!best.is_believed() || is_turned(best, *starts.T_seen)) {
     take_if_better(register_from(*starts.T_seen, 0), best);
   }
+  judge(best);  // beside the other answers
 }
 
 /// Registers from the start that `find_start` finds. Its answer replaces `best` if it stays near
@@ -143,7 +151,10 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
       best.is_believed() &&
       (T_start_best.translation().norm() >= 0.15 /* m */ || T_start_best.angle() >= 0.15 /* rad */);
   if (found.is_believed()) {
-    const bool is_better = !best.is_believed() || (agrees && best_is_elsewhere) ||
+    const bool is_as_good = found.result.cos_theta > kAsGood * best.result.cos_theta;
+    const bool is_better = !best.is_believed() ||
+                           (agrees && (best_is_elsewhere ||
+                                       (is_as_good && opinion(best) != FeatureOpinion::kAgrees))) ||
                            found.result.cos_theta > best.result.cos_theta;
     if (is_better) best = found;
   } else if (best_is_elsewhere && !is_certain(best)) {
@@ -171,7 +182,8 @@ Registered Tracker::Impl::register_from(const SE3& T_world_camera_init, int skip
   judge(registered);
   if (registered.result.status != RegistrationStatus::kFailed) {
     const RegistrationResult& result = registered.result;
-    starts.answers.push_back({result.T_fixed_moving, result.covariance, result.cos_theta});
+    starts.answers.push_back(
+        {result.T_fixed_moving, result.covariance, result.cos_theta, registered.is_believed()});
   }
   return registered;
 }
@@ -183,17 +195,29 @@ double Tracker::Impl::nearest_surprise(const SE3& T_world_camera) const {
   return std::min(by_velocity, surprise_of(starts.T_seen->inverse() * T_world_camera));
 }
 
-/// The most similar answer elsewhere; null if there is none.
-const Answer* Tracker::Impl::strongest_rival(const RegistrationResult& result) const {
-  const Answer* strongest = nullptr;
+/// The cos_theta of the most similar answer elsewhere, as a share of that of a registration; 0 if
+/// there is none.
+double Tracker::Impl::share_of_rival(const RegistrationResult& result) const {
+  double largest = 0;
   for (const Answer& answer : starts.answers) {
-    if (!are_apart(result.T_fixed_moving, result.covariance, answer.T_keyframe_camera,
-                   answer.covariance)) {
-      continue;
+    if (are_apart(result.T_fixed_moving, result.covariance, answer.T_fixed_moving,
+                  answer.covariance)) {
+      largest = std::max(largest, answer.cos_theta);
     }
-    if (strongest == nullptr || answer.cos_theta > strongest->cos_theta) strongest = &answer;
   }
-  return strongest;
+  return largest > 0 ? largest / std::max(result.cos_theta, 1e-6) : 0;
+}
+
+/// Looks for another answer that is as good, and that features do not decide against.
+void Tracker::Impl::find_rival(Registered& registered) const {
+  registered.T_keyframe_rival.reset();
+  if (registered.evidence->features == FeatureOpinion::kAgrees) return;
+  double largest = 0;
+  for (const Answer& answer : starts.answers) {
+    if (answer.cos_theta <= largest || !is_equal_rival(answer, registered.result)) continue;
+    registered.T_keyframe_rival = answer.T_fixed_moving;
+    largest = answer.cos_theta;
+  }
 }
 
 /// Finds the doubt of a registration that has not failed.
@@ -202,14 +226,13 @@ void Tracker::Impl::find_doubt(Registered& registered) const {
   const double seconds = seconds_between(motion.last_stamp(), frame.images.stamp);
   DoubtEvidence known =
       evidence_of(result, nearest_surprise(registered.T_world_camera), seconds, usual);
-  if (const Answer* const rival = strongest_rival(result)) {
-    known.rival = rival->cos_theta / result.cos_theta;
-  }
+  known.rival = share_of_rival(result);
   if (starts.T_keyframe_found) {
     known.features = opinion_on(result.T_fixed_moving, *starts.T_keyframe_found);
   }
   registered.doubt = doubt_of(known);
   registered.evidence = known;
+  find_rival(registered);
 }
 
 /// Finds the doubt of a registration and whether it is believed.
@@ -235,7 +258,7 @@ Registered Tracker::Impl::register_to_remade_keyframe(const Registered& first) {
   Registered registered = register_from(first.T_world_camera, options.recovery_scales);
   registered.promoted_keyframe = first.promoted_keyframe;
   registered.doubt = first.doubt;  // it is the same motion
-  registered.evidence = first.evidence;
+  if (registered.evidence) registered.evidence = first.evidence;
   return registered;
 }
 

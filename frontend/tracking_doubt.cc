@@ -53,7 +53,8 @@ bool are_apart(const SE3& T_fixed_a, const Matrix6& covariance_a, const SE3& T_f
   const SE3 T_a_b = T_fixed_a.inverse() * T_fixed_b;
   if (is_near(T_a_b)) return false;
   const Vector6 difference = T_a_b.log();
-  const AlignedMatrix6 covariance = covariance_a + covariance_b;
+  const AlignedMatrix6 to_b = T_a_b.inverse().adjoint();  // of a perturbation at a
+  const AlignedMatrix6 covariance = to_b * covariance_a * to_b.transpose() + covariance_b;
   return difference.dot(covariance.ldlt().solve(difference)) > kChiSquare;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cvo_slam/frontend/tracking_doubt_internal.h"
 #include "cvo_slam/frontend/tracking_judgement_internal.h"
 
 namespace cvo_slam {
@@ -55,16 +56,15 @@ std::string find_fault(const RegistrationResult& result, const TrackingSituation
   return find_motion_fault(situation.T_last_camera, situation.seconds, limits);
 }
 
-std::string find_ambiguity(const DoubtEvidence& evidence, const SE3& T_camera_rival) {
-  constexpr double kAsGood = 0.95;
+bool is_equal_rival(const Answer& answer, const RegistrationResult& result) {
   constexpr double kTranslation = 0.1;  // [m]
   constexpr double kRotation = 5;       // [deg]
-  const double translation = T_camera_rival.translation().norm();
-  const double rotation = kDegrees * T_camera_rival.angle();
-  const bool is_open = evidence.rival > kAsGood && evidence.features != FeatureOpinion::kAgrees;
-  if (!is_open || (translation <= kTranslation && rotation <= kRotation)) return {};
-  return fmt::format("another pose, {:.2f} m and {:.1f} degrees away, is as similar", translation,
-                     rotation);
+  if (!answer.is_believed || answer.cos_theta < kAsGood * result.cos_theta) return false;
+  const SE3 T_result_answer = result.T_fixed_moving.inverse() * answer.T_fixed_moving;
+  const bool is_far = T_result_answer.translation().norm() > kTranslation ||
+                      kDegrees * T_result_answer.angle() > kRotation;
+  return is_far && are_apart(result.T_fixed_moving, result.covariance, answer.T_fixed_moving,
+                             answer.covariance);
 }
 
 void KeyframePolicy::keyframe_made() {

@@ -8,12 +8,13 @@
 #include "cvo_slam/core/se3.h"
 #include "cvo_slam/frontend/registration.h"
 #include "cvo_slam/frontend/tracker.h"
-#include "cvo_slam/frontend/tracking_doubt_internal.h"
 
 namespace cvo_slam {
 
 /// Above this doubt another opinion is asked for: at it, a fiftieth of the registrations are wrong.
 constexpr double kDoubtful = 0.02;
+/// Share of a cos_theta from which on another one is as good.
+constexpr double kAsGood = 0.95;
 
 /// What a judgement of a registration needs besides its result.
 struct TrackingSituation {
@@ -30,10 +31,17 @@ struct TrackingSituation {
 [[nodiscard]] std::string find_fault(const RegistrationResult& result,
                                      const TrackingSituation& situation, const LostOptions& limits);
 
-/// Returns why a registration is not believed beside a rival, an answer elsewhere from another
-/// start; empty if it is. A rival as good, that features do not speak against, loses the frame if
-/// one of the two must be wrong by more than 10 cm or 5 degrees.
-[[nodiscard]] std::string find_ambiguity(const DoubtEvidence& evidence, const SE3& T_camera_rival);
+/// What a registration from one of several starts answered.
+struct Answer {
+  SE3 T_fixed_moving;
+  Matrix6 covariance = Matrix6::Zero();
+  double cos_theta = 0;
+  bool is_believed = false;
+};
+
+/// Returns true if an answer is as good as a registration, and so far away that one of the two must
+/// be wrong: by more than 10 cm or 5 degrees, and by more than their covariances explain.
+[[nodiscard]] bool is_equal_rival(const Answer& answer, const RegistrationResult& result);
 
 /// Decides which tracked frames become keyframes.
 class KeyframePolicy {

@@ -24,7 +24,7 @@ FeatureStart::FeatureStart(const Camera& camera, const VerificationOptions& opti
     : camera_(camera), appearances_(appearances), verifier_(camera, for_starts(options)) {}
 
 void FeatureStart::add(const RgbdFrame& images, const SE3& T_world_camera) {
-  constexpr std::size_t kMost = 2;
+  constexpr std::size_t kMost = 3;  // the current one may be among them
   last_keyframes_.push_back({images, T_world_camera});
   if (last_keyframes_.size() > kMost) last_keyframes_.pop_front();
 }
@@ -32,8 +32,10 @@ void FeatureStart::add(const RgbdFrame& images, const SE3& T_world_camera) {
 std::optional<SE3> FeatureStart::find(const RgbdFrame& keyframe, const SE3& T_world_keyframe,
                                       const RgbdFrame& frame) {
   if (const auto T_keyframe_camera = compare(keyframe, frame)) return T_keyframe_camera;
-  for (auto last = last_keyframes_.rbegin(); last != last_keyframes_.rend(); ++last) {
+  int left = 2;
+  for (auto last = last_keyframes_.rbegin(); last != last_keyframes_.rend() && left > 0; ++last) {
     if (last->images.index == keyframe.index) continue;
+    --left;
     if (const auto T_last_camera = compare(last->images, frame)) {
       return T_world_keyframe.inverse() * last->T_world_camera * *T_last_camera;
     }

@@ -25,10 +25,10 @@ class FeatureStart {
 
   /// Takes a keyframe, with its pose as it was tracked. The last ones are kept.
   void add(const RgbdFrame& images, const SE3& T_world_camera);
-  /// Forgets them: a new submap starts, which has another world.
-  void start_submap() { last_keyframes_.clear(); }
+  /// Forgets them: for a new submap, which has another world.
+  void clear() { last_keyframes_.clear(); }
   /// Returns T_keyframe_camera of the frame, by the features of the keyframe or, if too few of them
-  /// agree, of the last other ones; none if those do not either.
+  /// agree, of the last two other ones; none if those do not either.
   [[nodiscard]] std::optional<SE3> find(const RgbdFrame& keyframe, const SE3& T_world_keyframe,
                                         const RgbdFrame& frame);
   /// Throws DataError if the images are not of the camera.

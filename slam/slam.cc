@@ -91,7 +91,7 @@ FrameRecord Slam::Impl::track(RgbdFrame frame) {
     localize(frame, tracked);
   }
   if (tracked.status == TrackingStatus::kTracked) {
-    if (start && tracked.submap != last_tracked_record.submap) start->start_submap();
+    if (start && tracked.submap != last_tracked_record.submap) start->clear();
     last_tracked_record = tracked;
   }
   FrameRecord answer = in_map(tracked);
@@ -166,6 +166,7 @@ FrameRecord Slam::Impl::relocalize(const RgbdFrame& frame, const FrameRecord& lo
   FrameRecord record = tracker.resume(pose->T_world_camera);
   if (record.status == TrackingStatus::kLost) return lost;
   record.submap += first_submap;
+  record.features_asked = lost.features_asked;
   consensus.clear();
   recognized = pose;
   T_map_last_keyframe = pose->T_world_camera;
@@ -236,7 +237,7 @@ FrameRecord Slam::Impl::in_map(FrameRecord record) const {
 
 void Slam::Impl::finish() {
   if (map_use == MapUse::kLocalize) return;
-  if (const auto keyframe = tracker.take_keyframe()) submit(*keyframe);
+  if (const auto keyframe = tracker.take_keyframe()) keep_keyframe(*keyframe);
   apply_corrections(0);
   mapper.optimize_all();
   if (observer.correction) {

@@ -41,8 +41,8 @@ def values(runs, figure):
 
 
 def compare(runs, other, figure):
-    """In how many pairs of runs ours is the lower and the higher, and of how many. What is equal as
-    printed is neither."""
+    """In how many pairs of runs ours is the lower and the higher, and of how many. What is equal to a
+    tenth of what is printed is neither."""
     pairs = [(runs[name][figure], other[name][figure]) for name in runs if name in other]
     pairs = [(round(a, DIGITS[figure] + 1), round(b, DIGITS[figure] + 1)) for a, b in pairs
              if a is not None and b is not None]
@@ -59,7 +59,7 @@ def count_wrong(runs):
 
 
 def share_asked(runs):
-    """Of how many of the frames of all runs features were asked; None if that was not counted."""
+    """The share of the frames of all runs for which features were asked; None if it was not counted."""
     asked = [run["features_asked"] for run in runs.values()]
     return None if None in asked else sum(asked) / sum(run["frames"] for run in runs.values())
 

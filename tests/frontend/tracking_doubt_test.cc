@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <tuple>
 
 #include <gmock/gmock.h>
@@ -59,22 +60,33 @@ TEST(Doubt, ARivalIsElsewhereBeyondWhatTheCovariancesExplain) {
   EXPECT_TRUE(are_apart(SE3(), certain, far, certain));
   EXPECT_TRUE(are_apart(SE3(), certain, SE3(so3_exp({0, 0.07, 0}), {0, 0, 0}), certain));
   EXPECT_FALSE(are_apart(SE3(), certain, far, uncertain)) << "a wall along which nothing holds it";
+  // Along x of the second camera, which looks the other way round.
+  Matrix6 along_z = certain;
+  along_z(2, 2) = 1;
+  const SE3 turned(so3_exp({0, std::numbers::pi / 2, 0}), {0, 0, 0.5});
+  EXPECT_TRUE(are_apart(SE3(), certain, turned, along_z));
 }
 
-TEST(Doubt, ARivalAsGoodLosesTheFrameUnlessFeaturesAgreeWithIt) {
-  const SE3 far(so3_exp({0, 0.02, 0}), {0.3, 0, 0.4});
-  DoubtEvidence evidence = usual_evidence();
-  evidence.rival = 0.9;
-  EXPECT_EQ(find_ambiguity(evidence, far), "") << "clearly worse";
-  evidence.rival = 0.98;
-  EXPECT_EQ(find_ambiguity(evidence, far),
-            "another pose, 0.50 m and 1.1 degrees away, is as similar");
-  EXPECT_EQ(find_ambiguity(evidence, SE3(so3_exp({0, 0.02, 0}), {0.08, 0, 0})), "")
-      << "not worth a frame";
-  evidence.features = FeatureOpinion::kElsewhere;
-  EXPECT_NE(find_ambiguity(evidence, far), "");
-  evidence.features = FeatureOpinion::kAgrees;
-  EXPECT_EQ(find_ambiguity(evidence, far), "");
+TEST(Doubt, AnEqualRivalIsBelievedAsSimilarAndFarAway) {
+  RegistrationResult result;
+  result.cos_theta = 0.5;
+  result.covariance = 1e-6 * Matrix6::Identity();
+  const Answer rival = {SE3(so3_exp({0, 0.02, 0}), {0.3, 0, 0.4}), result.covariance, 0.49, true};
+  EXPECT_TRUE(is_equal_rival(rival, result));
+  const auto is_one_after = [&](const std::function<void(Answer&)>& change) {
+    Answer changed = rival;
+    change(changed);
+    return is_equal_rival(changed, result);
+  };
+  EXPECT_FALSE(is_one_after([](Answer& a) { a.is_believed = false; }));
+  EXPECT_FALSE(is_one_after([](Answer& a) { a.cos_theta = 0.45; }));
+  EXPECT_FALSE(is_one_after([](Answer& a) { a.covariance = 0.1 * Matrix6::Identity(); }));
+  EXPECT_FALSE(is_one_after([](Answer& a) {
+    a.T_fixed_moving = SE3(so3_exp({0, 0.02, 0}), {0.08, 0, 0});
+  })) << "not worth a frame";
+  EXPECT_TRUE(is_one_after([](Answer& a) {
+    a.T_fixed_moving = SE3(so3_exp({0, 0.1, 0}), {0, 0, 0});
+  }));
 }
 
 TEST(Doubt, TheUsualSimilarityIsThatOfTheLastFrames) {

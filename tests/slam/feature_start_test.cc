@@ -46,7 +46,7 @@ TEST_F(FeatureStartOfAWalk, TheKeyframesBeforeHelpWhereTheKeyframeShowsNothing) 
   start_.add(frames_.frame(4), frames_.T_world_camera(4));
   start_.add(blank(), frames_.T_world_camera(kBlank));
   expect_found(find(start_));
-  start_.start_submap();
+  start_.clear();
   EXPECT_FALSE(find(start_)) << "they are of another world";
 }
 
