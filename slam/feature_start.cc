@@ -31,7 +31,7 @@ void FeatureStart::add(const RgbdFrame& images, const SE3& T_world_camera) {
 
 std::optional<SE3> FeatureStart::find(const RgbdFrame& keyframe, const SE3& T_world_keyframe,
                                       const RgbdFrame& frame) {
-  if (const auto T_keyframe_camera = compare(keyframe, frame)) return T_keyframe_camera;
+  if (auto T_keyframe_camera = compare(keyframe, frame)) return T_keyframe_camera;
   int left = 2;
   for (auto last = last_keyframes_.rbegin(); last != last_keyframes_.rend() && left > 0; ++last) {
     if (last->images.index == keyframe.index) continue;
