@@ -69,7 +69,7 @@ struct LostOptions {
   double max_angular_speed = 6.0;
   /// Largest probability that the pose is wrong by more than 5 cm or 3 degrees, in [0, 1]
   /// (FrameRecord::doubt); 1 = any. Lower it where a wrong pose is worse than none: 0.5 refuses
-  /// half of those that are wrong and have passed all else, and 4 in 1000 of those that are right.
+  /// half of those that are wrong and have passed all else, and 7 in 1000 of those that are right.
   /// Nothing is refused by default, because at a few frames a second most of that is right.
   double max_doubt = 1;
   /// Time from the first lost frame on after which a new submap starts [s]: 0.3 s, 10 frames at
