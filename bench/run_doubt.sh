@@ -67,8 +67,8 @@ draft=$(mktemp)
     'Each frame has a `doubt`: the probability that its pose relative to the keyframe is wrong by more than
 5 cm or 3 degrees. It is a logistic model of the overlap, cos_theta as a share of the usual one, the
 registration'"'"'s own uncertainty, the difference from the nearest prediction, the time since the last
-frame, the best answer elsewhere from another start, and what features say. Every registration at the end of a frame is a sample, also those that were
-refused, at full and lower frame rates (every 1st to 60th frame), without features and with them.'
+frame, the best answer elsewhere from another start, and what features say. Every registration at the end
+of a frame is a sample, also those that were refused, at full and lower frame rates (every 1st to 60th frame), without features and with them.'
   echo
   /usr/bin/python3 bench/fit_doubt.py \
     --fit "$samples/rpy.csv" "$samples/house_kinect_201.csv" "$samples/house_harsh_201.csv" \

@@ -60,7 +60,7 @@ TEST(Doubt, ARivalIsElsewhereBeyondWhatTheCovariancesExplain) {
   EXPECT_TRUE(are_apart(SE3(), certain, far, certain));
   EXPECT_TRUE(are_apart(SE3(), certain, SE3(so3_exp({0, 0.07, 0}), {0, 0, 0}), certain));
   EXPECT_FALSE(are_apart(SE3(), certain, far, uncertain)) << "a wall along which nothing holds it";
-  // Along x of the second camera, which looks the other way round.
+  // What is open along the second camera's view does not explain a quarter turn.
   Matrix6 along_z = certain;
   along_z(2, 2) = 1;
   const SE3 turned(so3_exp({0, std::numbers::pi / 2, 0}), {0, 0, 0.5});
