@@ -36,7 +36,8 @@ SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
 }
 
 /// Does not believe a registration that is likely to be wrong, or beside which another start led to
-/// an answer elsewhere that is as good.
+/// an answer elsewhere that is as good. As long as the last tracked frame has not been asked, none
+/// that is more likely wrong than right.
 void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
   if (!registered.is_believed()) return;
   find_doubt(registered);  // there may be more answers now
@@ -47,10 +48,12 @@ void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
         fmt::format("another pose, {:.2f} m and {:.1f} degrees away, is as similar",
                     T_camera_rival.translation().norm(), kDegrees * T_camera_rival.angle());
   }
-  if (registered.doubt <= options.lost.max_doubt) return;
+  const double most = keyframe->is_last_tracked ? 1 : 0.5;
+  const double limit = std::min(options.lost.max_doubt, most);
+  if (registered.doubt <= limit) return;
   registered.fault =
       fmt::format("wrong by more than 5 cm or 3 degrees with a probability of {:.2f}, above {:.2f}",
-                  registered.doubt, options.lost.max_doubt);
+                  registered.doubt, limit);
 }
 
 /// Registers from the predicted pose. If that fails or is doubtful, or if the last frame is long

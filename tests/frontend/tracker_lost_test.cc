@@ -137,6 +137,24 @@ TEST_F(LostFrames, AFrameThatNeedsTheLastOneAsKeyframeSaysSo) {
   expect_tracked(*promoted);
 }
 
+TEST_F(LostFrames, AnAnswerMoreLikelyWrongThanRightIsAskedOfTheLastTrackedFrame) {
+  // Only the doubt tells that a jump has left the keyframe nearly out of sight.
+  options_.keyframe = {.min_overlap = 0, .max_translation = 100, .max_rotation = 4};
+  options_.lost.min_overlap = options_.lost.min_cos_theta = 0;
+  options_.lost.max_speed = options_.lost.max_angular_speed = 1000;
+  use(options_);
+  constexpr std::size_t kFrames = 10;
+  for (std::size_t i = 0; i < kFrames; ++i) expect_tracked(track(i));
+  // Against the first frame alone, the answer is 9 cm off.
+  const FrameRecord record = tracker_.track(frames_.frame(kFrames, 28)).record;
+  EXPECT_EQ(record.promoted_keyframe, kFrames - 1);
+  EXPECT_EQ(record.keyframe, kFrames - 1);
+  EXPECT_EQ(record.status, TrackingStatus::kTracked) << record.reason;
+  const SE3 error = frames_.T_first_camera(0, 28).inverse() * record.T_world_camera;
+  EXPECT_LT(error.translation().norm(), 2 * kPixel);
+  EXPECT_LT(error.angle(), kPixel);
+}
+
 TEST_F(LostFrames, AJumpToAnotherPlaceIsLostAndTheWayBackIsFound) {
   expect_tracked(track(0));
   expect_tracked(track(1));
