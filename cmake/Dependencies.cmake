@@ -9,6 +9,7 @@ set(CVO_SLAM_DEPENDENCIES
     "Eigen3"
     "fmt"
     "hwy"
+    "libjpeg-turbo CONFIG"
     "OpenCV COMPONENTS core calib3d features2d imgproc imgcodecs"
     "TBB"
     "ZLIB"

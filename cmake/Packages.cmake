@@ -18,7 +18,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libcvo-slam-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
-    "libeigen3-dev, libopencv-dev, libtbb-dev, libyaml-cpp-dev, libfmt-dev, libhwy-dev, zlib1g-dev, libceres-dev")
+    "libeigen3-dev, libopencv-dev, libtbb-dev, libyaml-cpp-dev, libfmt-dev, libhwy-dev, zlib1g-dev, libturbojpeg0-dev, libjpeg62-turbo-dev, libceres-dev")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
     "Track an RGB-D camera and build a map of what it sees: static libraries, headers, and files for
 CMake and pkg-config.")

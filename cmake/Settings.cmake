@@ -14,6 +14,9 @@ target_compile_features(cvo_slam_settings INTERFACE cxx_std_20)
 # is the one of the embedder. Contraction is off so that a compiler with FMA does not round
 # differently.
 target_compile_options(cvo_slam_settings INTERFACE -ffp-contract=off)
+# Nothing here asks for floating-point traps, which keep GCC from vectorising what a comparison
+# selects. Values stay the same.
+target_compile_options(cvo_slam_settings INTERFACE -fno-trapping-math)
 # Without this GCC does not inline a library's own functions in position-independent code.
 target_compile_options(cvo_slam_settings INTERFACE -fno-semantic-interposition)
 # What oneTBB's target defines in a debug build, in every source, so that all can share one

@@ -24,7 +24,8 @@ target_link_libraries(
   cvo_slam_shared
   PUBLIC Eigen3::Eigen opencv_core
   PRIVATE Ceres::ceres TBB::tbb ZLIB::ZLIB fmt::fmt hwy::hwy opencv_calib3d opencv_features2d
-          opencv_imgcodecs opencv_imgproc yaml-cpp ${CMAKE_DL_LIBS})
+          opencv_imgcodecs opencv_imgproc libjpeg-turbo::turbojpeg yaml-cpp
+          ${CMAKE_DL_LIBS})
 target_link_options(cvo_slam_shared PRIVATE -Wl,--version-script=${VERSION_SCRIPT} -Wl,--no-undefined)
 target_include_directories(
   cvo_slam_shared INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>

@@ -30,6 +30,20 @@ std::array<float, 5> to_float(const std::array<double, 5>& values) {
   return result;
 }
 
+// What the compiler vectorises without SSE4.
+int floor_of(float value) {
+  const int towards_zero = static_cast<int>(value);
+  return towards_zero - static_cast<int>(static_cast<float>(towards_zero) > value);
+}
+int ceil_of(float value) {
+  const int towards_zero = static_cast<int>(value);
+  return towards_zero + static_cast<int>(static_cast<float>(towards_zero) < value);
+}
+int round_of(float value) {
+  constexpr float kIntegers = 1 << 23;  // from here on a float has no other values
+  return static_cast<int>((value + kIntegers) - kIntegers);
+}
+
 /// Returns the largest (x/z)^2 + (y/z)^2 of the rays through the border of the image.
 double largest_radius2(const PinholeCamera& camera) {
   double largest = 0;
@@ -82,16 +96,40 @@ DepthRegistration::DepthRegistration(const Camera& camera) : color_(camera.color
   }
 }
 
-void DepthRegistration::project_row(const std::uint16_t* depth, int v, ProjectedRow& row) const {
-  // On local copies and without branches on the pixels, so that the compiler vectorises the loop.
+/// The pixels of one row of the depth image, projected into the colour camera.
+struct DepthRegistration::ProjectedRow {
+  explicit ProjectedRow(std::size_t width) : u(width), v(width), z(width), scale(width) {}
+  std::vector<float> u, v;   // [px]
+  std::vector<float> z;      // in units of the depth image; kNothing = none or not visible
+  std::vector<float> scale;  // depth in the depth camera / z
+};
+
+/// What they cover there: the first and the last pixels, and the depth.
+struct DepthRegistration::Footprints {
+  explicit Footprints(std::size_t width)
+      : left(width), right(width), top(width), bottom(width), depth(width) {}
+  std::vector<int> left, right, top, bottom;
+  std::vector<std::uint16_t> depth;  // kNothing if nothing is covered
+};
+
+void DepthRegistration::project_row(const std::uint16_t* depth, int depth_row,
+                                    ProjectedRow& row) const {
+  // On local copies and without branches on the pixels: the processor works on several at once.
   const auto width = static_cast<std::size_t>(width_);
-  const std::size_t first = static_cast<std::size_t>(v) * width;
+  const std::size_t first = static_cast<std::size_t>(depth_row) * width;
   const float* ray_x = ray_x_.data() + first;
   const float* ray_y = ray_y_.data() + first;
   const float* ray_z = ray_z_.data() + first;
+  float* row_u = row.u.data();
+  float* row_v = row.v.data();
+  float* row_z = row.z.data();
+  float* row_scale = row.scale.data();
   const auto [tx, ty, tz] = translation_;
-  const Eigen::Vector4f k =
-      Eigen::Vector4d(color_.fx, color_.fy, color_.cx, color_.cy).cast<float>();
+  const auto fx = static_cast<float>(color_.fx);
+  const auto fy = static_cast<float>(color_.fy);
+  const auto cx = static_cast<float>(color_.cx);
+  const auto cy = static_cast<float>(color_.cy);
+  const float max_radius2 = max_radius2_;
   const auto distortion = to_float(color_.distortion);
   const bool is_distorted = color_.has_distortion();
   for (std::size_t i = 0; i < width; ++i) {
@@ -102,30 +140,73 @@ void DepthRegistration::project_row(const std::uint16_t* depth, int v, Projected
     float y = (units * ray_y[i] + ty) * inverse_z;
     // NOLINTBEGIN(readability-implicit-bool-conversion)
     const bool visible =
-        (units > 0) & (z >= 1) & (z < kFarthestUnits) & (x * x + y * y <= max_radius2_);
+        (units > 0) & (z >= 1) & (z < kFarthestUnits) & (x * x + y * y <= max_radius2);
     // NOLINTEND(readability-implicit-bool-conversion)
     if (is_distorted) apply_brown_distortion(distortion, x, y);
-    row.u[i] = k[0] * x + k[2];
-    row.v[i] = k[1] * y + k[3];
-    row.z[i] = visible ? z : 0;
-    row.scale[i] = units * inverse_z;
+    const float u = fx * x + cx;
+    const float v = fy * y + cy;
+    const float scale = units * inverse_z;
+    row_u[i] = visible ? u : 0;
+    row_v[i] = visible ? v : 0;
+    row_z[i] = visible ? z : kNothing;
+    row_scale[i] = visible ? scale : 0;
   }
 }
 
-void DepthRegistration::splat_row(const ProjectedRow& row, cv::Mat& image) const {
-  for (std::size_t i = 0; i < row.z.size(); ++i) {
-    if (row.z[i] == 0) continue;
-    const float half_u = half_u_ * row.scale[i];
-    const float half_v = half_v_ * row.scale[i];
-    const auto depth = static_cast<std::uint16_t>(cvRound(row.z[i]));
-    const int u_begin = std::max(0, cvCeil(row.u[i] - half_u));
-    const int u_end = std::min(image.cols - 1, cvFloor(row.u[i] + half_u));
-    const int v_begin = std::max(0, cvCeil(row.v[i] - half_v));
-    const int v_end = std::min(image.rows - 1, cvFloor(row.v[i] + half_v));
-    for (int v = v_begin; v <= v_end; ++v) {
-      auto* pixels = image.ptr<std::uint16_t>(v);
-      for (int u = u_begin; u <= u_end; ++u) pixels[u] = std::min(pixels[u], depth);
+void DepthRegistration::find_footprints(const ProjectedRow& row, Footprints& footprints) const {
+  // The compiler vectorises this loop.
+  const std::size_t width = row.z.size();
+  const float* row_u = row.u.data();
+  const float* row_v = row.v.data();
+  const float* row_z = row.z.data();
+  const float* row_scale = row.scale.data();
+  int* row_left = footprints.left.data();
+  int* row_right = footprints.right.data();
+  int* row_top = footprints.top.data();
+  int* row_bottom = footprints.bottom.data();
+  std::uint16_t* row_depth = footprints.depth.data();
+  const float half_u = half_u_;
+  const float half_v = half_v_;
+  const int last_u = color_.width - 1;
+  const int last_v = color_.height - 1;
+  for (std::size_t i = 0; i < width; ++i) {
+    const int left = std::max(0, ceil_of(row_u[i] - half_u * row_scale[i]));
+    const int top = std::max(0, ceil_of(row_v[i] - half_v * row_scale[i]));
+    const int right = std::min(last_u, floor_of(row_u[i] + half_u * row_scale[i]));
+    const int bottom = std::min(last_v, floor_of(row_v[i] + half_v * row_scale[i]));
+    const int depth = round_of(row_z[i]);
+    row_left[i] = left;
+    row_right[i] = right;
+    row_top[i] = top;
+    row_bottom[i] = bottom;
+    // NOLINTNEXTLINE(readability-implicit-bool-conversion): no branches
+    const int covers = (left <= right) & (top <= bottom);
+    row_depth[i] = static_cast<std::uint16_t>(covers != 0 ? depth : kNothing);
+  }
+}
+
+void DepthRegistration::fill(const Footprints& footprints, cv::Mat& image) {
+  const auto& [left, right, top, bottom, depth] = footprints;
+  auto* pixels = image.ptr<std::uint16_t>();
+  const std::size_t stride = image.step1();
+  const auto take_nearest = [&](int v, int u, std::uint16_t value) {
+    auto& pixel = pixels[static_cast<std::size_t>(v) * stride + static_cast<std::size_t>(u)];
+    pixel = std::min(pixel, value);
+  };
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    if (depth[i] == kNothing) continue;
+    if (right[i] - left[i] > 1 || bottom[i] - top[i] > 1) {
+      for (int v = top[i]; v <= bottom[i]; ++v) {
+        for (int u = left[i]; u <= right[i]; ++u) take_nearest(v, u, depth[i]);
+      }
+      continue;
     }
+    // Where the cameras have about the same resolution: up to 2x2 pixels, some of them twice, which
+    // costs less than to branch.
+    take_nearest(top[i], left[i], depth[i]);
+    take_nearest(top[i], right[i], depth[i]);
+    take_nearest(bottom[i], left[i], depth[i]);
+    take_nearest(bottom[i], right[i], depth[i]);
   }
 }
 
@@ -137,9 +218,11 @@ cv::Mat DepthRegistration::register_depth(const cv::Mat& depth) const {
   }
   cv::Mat result(color_.height, color_.width, CV_16UC1, cv::Scalar(kNothing));
   ProjectedRow row(static_cast<std::size_t>(width_));
+  Footprints footprints(static_cast<std::size_t>(width_));
   for (int v = 0; v < height_; ++v) {
     project_row(depth.ptr<std::uint16_t>(v), v, row);
-    splat_row(row, result);
+    find_footprints(row, footprints);
+    fill(footprints, result);
   }
   result.setTo(0, result == kNothing);
   return result;

@@ -46,15 +46,11 @@ class DepthRegistration {
   [[nodiscard]] cv::Mat register_depth(const cv::Mat& depth) const;
 
  private:
-  /// The pixels of one row of the depth image, projected into the colour camera.
-  struct ProjectedRow {
-    explicit ProjectedRow(std::size_t width) : u(width), v(width), z(width), scale(width) {}
-    std::vector<float> u, v;   ///< [px]
-    std::vector<float> z;      ///< in units of the depth image; 0 = none or not visible
-    std::vector<float> scale;  ///< depth in the depth camera / z
-  };
-  void project_row(const std::uint16_t* depth, int v, ProjectedRow& row) const;
-  void splat_row(const ProjectedRow& row, cv::Mat& image) const;
+  struct ProjectedRow;
+  struct Footprints;
+  void project_row(const std::uint16_t* depth, int depth_row, ProjectedRow& row) const;
+  void find_footprints(const ProjectedRow& row, Footprints& footprints) const;
+  static void fill(const Footprints& footprints, cv::Mat& image);
 
   PinholeCamera color_;
   int width_ = 0;

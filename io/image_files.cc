@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "cvo_slam/core/error.h"
 #include "cvo_slam/core/files.h"
+#include "cvo_slam/io/image_decoding_internal.h"
 #include "cvo_slam/io/image_files_internal.h"
 #include "cvo_slam/io/image_header_internal.h"
 
@@ -54,17 +54,9 @@ ImageHeader header_of(const Path& file, std::string_view bytes) {
 
 /// Returns the image as it is: not converted, not rotated by its EXIF orientation.
 cv::Mat decode(const Path& file, cv::Size size) {
-  // Not cv::imread, which writes a warning to stderr if the file is missing.
   const std::string bytes = read_image_bytes(file);
   check_size(header_of(file, bytes).size, size, file);  // before memory is taken for the pixels
-  cv::Mat image;
-  try {
-    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
-                         const_cast<char*>(bytes.data()));  // NOLINT: only read from
-    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    image.release();
-  }
+  cv::Mat image = decode_image(bytes);
   if (image.empty()) {
     throw InputError(file, "the image cannot be decoded, it is damaged; record or copy it again");
   }
