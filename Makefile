@@ -73,6 +73,10 @@ suite: program ## Run sequences, modes and perturbations, write docs/results/sui
 low-rates: program ## Run the suite on thinned recordings, write docs/results/low-rates.md
 	NAME=low-rates TITLE='Low frame rates' bench/run_suite.sh --config set=low_rates
 
+.PHONY: image-sizes
+image-sizes: program ## Run the suite on images from 256x192 to 3840x2160, write docs/results/image-sizes.md
+	NAME=image-sizes TITLE='Sizes of images' bench/run_suite.sh --config set=sizes
+
 .PHONY: depth-clock
 depth-clock: program ## Measure known depth offsets, write docs/results/depth-clock.md
 	bench/run_depth_clock.sh

@@ -110,6 +110,18 @@ Json json_of(const ContestantResult& result) {
   return json;
 }
 
+/// The length of the reference trajectory during these frames [m].
+double reference_path(const Dataset& data, const FrameRange& frames) {
+  if (frames.begin >= frames.end) return 0;
+  std::vector<StampedPose> poses;
+  for (const StampedPose& pose : data.reference()) {
+    if (pose.stamp >= data.stamp(frames.begin) && pose.stamp <= data.stamp(frames.end - 1)) {
+      poses.push_back(pose);
+    }
+  }
+  return path_length(poses);
+}
+
 Json json_of(const Dataset& data, const OdometryBenchmark& benchmark) {
   Json json = {{"sequence", data.name()},
                {"kind", data.kind()},
@@ -118,6 +130,7 @@ Json json_of(const Dataset& data, const OdometryBenchmark& benchmark) {
                {"end", benchmark.frames.end},
                {"step", benchmark.frames.step},
                {"depth_offset", benchmark.depth_offset},
+               {"reference_path_m", reference_path(data, benchmark.frames)},
                {"protocol", benchmark_protocol()},
                {"decoding_cpu_ms", milliseconds(benchmark.decoding)}};
   json["systems"] = Json::array();

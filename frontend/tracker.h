@@ -70,7 +70,8 @@ struct LostOptions {
   /// Largest probability that the pose is wrong by more than 5 cm or 3 degrees, in [0, 1]
   /// (FrameRecord::doubt); 1 = any. Lower it where a wrong pose is worse than none: 0.5 refuses
   /// half of those that are wrong and have passed all else, and 7 in 1000 of those that are right.
-  /// Nothing is refused by default, because at a few frames a second most of that is right.
+  /// Nothing is lost by default, because at a few frames a second most of that is right; but above
+  /// 0.5 another keyframe, the last tracked frame, is asked.
   double max_doubt = 1;
   /// Time from the first lost frame on after which a new submap starts [s]: 0.3 s, 10 frames at
   /// 30 Hz, bridge a hand before the camera.
@@ -196,8 +197,8 @@ class Tracker {
   /// Tracks the next frame, whose images are copied. Never throws on a bad image: the status is
   /// kLost then, with a reason. The first tracked camera is the origin of the world. `find_start`
   /// is asked for another start of the registration where its answer is not to be trusted: where it
-  /// is doubtful (above 0.02) or not believed. Of the answers from
-  /// different starts the most similar one is taken.
+  /// is doubtful (above 0.02) or not believed. Of the answers from different starts the one that
+  /// agrees with a found start is taken, otherwise the most similar one.
   TrackedFrame track(const RgbdFrame& frame, const StartFinder& find_start = {});
 
   /// Continues at the frame that track() was given last and called lost, at a pose that a caller

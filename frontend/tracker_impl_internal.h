@@ -60,11 +60,13 @@ struct FrameStarts {
   std::optional<SE3> T_seen;            // the same, turned as the images say
   std::optional<SE3> T_keyframe_found;  // by features, to the keyframe
   bool features_asked = false;
-  std::vector<Answer> answers;  // that registrations to the keyframe gave
+  bool found_was_refused = false;  // true if the registration from there is not believed
+  std::vector<Answer> answers;     // that registrations to the keyframe gave
 
   /// Forgets what is known relative to the keyframe, which is another one now.
   void forget_keyframe() {
     T_keyframe_found.reset();
+    found_was_refused = false;
     answers.clear();  // keeps its memory for the next frame
   }
   /// Forgets all but the prediction.
@@ -130,6 +132,8 @@ struct Tracker::Impl {
   Registered register_frame(const StartFinder& find_start);
   void try_seen_start(Registered& best);
   void try_found_start(const StartFinder& find_start, Registered& best);
+  [[nodiscard]] bool is_elsewhere(const Registered& registered) const;
+  [[nodiscard]] bool is_certain(const Registered& registered) const;
   void refuse_if_doubtful(Registered& registered) const;
   void find_doubt(Registered& registered) const;
   void find_rival(Registered& registered) const;

@@ -23,7 +23,8 @@ OptionSet describe(LostOptions& o) {
   return OptionSet()
       .add("min_points", o.min_points, {10, 1000000}, "",
            "Least number of points of a frame. Six degrees of freedom need eight points each.")
-      .add("min_overlap", o.min_overlap, {0, 1}, "", "Least overlap of a registration.")
+      .add("min_overlap", o.min_overlap, {0, 1}, "",
+           "Least overlap of a registration; two thirds of it where features agree.")
       .add(
           "max_speed", o.max_speed, {0, 1000}, "m/s",
           "Largest speed of the camera that is believed where the doubt is above 0.02. The default "
@@ -34,12 +35,14 @@ OptionSet describe(LostOptions& o) {
           "default is more than a hand can do.")
       .add("max_doubt", o.max_doubt, {0, 1}, "",
            "Largest probability that the pose is wrong by more than 5 cm or 3 degrees; 1 = any. "
-           "Lower it where a wrong pose is worse than none.")
+           "Lower it where a wrong pose is worse than none. Above 0.5 the last tracked frame is "
+           "asked in place of the keyframe.")
       .add("restart_time", o.restart_time, {0, 1e6}, "s",
            "Time from the first lost frame on after which a new submap starts.")
       .expert()
       .add("min_cos_theta", o.min_cos_theta, {0, 1}, "",
-           "Least normalised inner product of the clouds after a registration.")
+           "Least normalised inner product of the clouds after a registration; half of it where "
+           "features agree.")
       .add("restart_frames", o.restart_frames, {1, 1000000}, "frames",
            "Number of lost frames before which no new submap starts, however long they take.");
 }
@@ -78,9 +81,12 @@ OptionSet describe(TrackerOptions& o) {
             {"identity", Prediction::kIdentity}},
            "Where a registration starts: at the pose predicted by a constant velocity, or at the "
            "keyframe's own as in the paper.")
-      .add("recovery_scales", o.recovery_scales, {0, 100}, "",
-           "Number of the coarsest length scales that serve only after a failed registration: wide "
-           "kernels reach further, but pull towards dense regions, away from a good prediction.");
+      .add(
+          "recovery_scales", o.recovery_scales, {0, 100}, "",
+          "Number of the coarsest length scales that serve only where a prediction is not trusted: "
+          "after a failed or doubtful registration, a turn that it did not know of, or 0.14 s. "
+          "Wide "
+          "kernels reach further, but pull towards dense regions, away from a good prediction.");
 }
 
 void check_consistency(const TrackerOptions& options) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -35,12 +36,32 @@ SE3 Tracker::Impl::pose_as_seen(const SE3& T_last_camera) const {
          turned_as_seen(T_last_camera, last_tracked.images.color, frame.images.color, camera.color);
 }
 
+/// True if features say that a registration is elsewhere, by more than their pose may be off.
+bool Tracker::Impl::is_elsewhere(const Registered& registered) const {
+  if (!starts.T_keyframe_found) return false;
+  const SE3 T_found_registered =
+      starts.T_keyframe_found->inverse() * registered.result.T_fixed_moving;
+  return T_found_registered.translation().norm() >= 0.15 /* m */ ||
+         T_found_registered.angle() >= 0.15 /* rad */;
+}
+
+/// True if a registration would be enough for a camera that was lost.
+bool Tracker::Impl::is_certain(const Registered& registered) const {
+  return find_fault(registered.result, situation_of(registered, true), options.lost).empty();
+}
+
 /// Does not believe a registration that is likely to be wrong, or beside which another start led to
-/// an answer elsewhere that is as good. As long as the last tracked frame has not been asked, none
-/// that is more likely wrong than right.
+/// an answer elsewhere that is as good, or that features contradict. As long as the last tracked
+/// frame has not been asked, none that is more likely wrong than right.
 void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
   if (!registered.is_believed()) return;
   find_doubt(registered);  // there may be more answers now
+  LostOptions any_match = options.lost;
+  any_match.min_overlap = any_match.min_cos_theta = 0;
+  registered.fault = find_fault(registered.result, situation_of(registered, false), any_match);
+  if (starts.found_was_refused && is_elsewhere(registered) && !is_certain(registered)) {
+    registered.fault = "the features of the images say that the camera is elsewhere";
+  }
   if (registered.T_keyframe_rival) {
     const SE3 T_camera_rival =
         registered.result.T_fixed_moving.inverse() * *registered.T_keyframe_rival;
@@ -79,20 +100,27 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   // The velocity of long ago says little: a hand turns back at any time.
   if (predict && (motion.is_far(stamp) || registered.is_doubtful())) try_seen_start(registered);
   if (registered.is_doubtful()) try_found_start(find_start, registered);
-  refuse_if_doubtful(registered);
+  std::vector<SE3> T_world_refused;  // is tried with another keyframe
+  const auto refuse = [&] {
+    const bool was_believed = registered.is_believed();
+    refuse_if_doubtful(registered);
+    if (!was_believed || registered.is_believed()) return;
+    T_world_refused.push_back(registered.T_world_camera);
+    if (!registered.T_keyframe_rival) return;
+    T_world_refused.push_back(keyframe->T_world_camera * *registered.T_keyframe_rival);
+  };
+  refuse();
   if (!registered.is_believed() && from_velocity) {
     registered = register_from(pose_as_seen(SE3()), 0);
-    refuse_if_doubtful(registered);
+    refuse();
   }
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
-    std::optional<SE3> T_world_rival;
-    if (registered.T_keyframe_rival) {
-      T_world_rival = keyframe->T_world_camera * *registered.T_keyframe_rival;
-    }
     make_keyframe();
     starts.forget_keyframe();
     registered = register_from(predict ? pose_as_seen(SE3()) : motion.last_pose(), 0);
-    if (T_world_rival) take_if_better(register_from(*T_world_rival, 0), registered);
+    for (const SE3& T_world_camera : T_world_refused) {
+      take_if_better(register_from(T_world_camera, 0), registered);
+    }
     if (registered.is_doubtful()) try_found_start(find_start, registered);
     refuse_if_doubtful(registered);
     registered.promoted_keyframe = keyframe->frame;
@@ -124,8 +152,8 @@ void Tracker::Impl::try_seen_start(Registered& best) {
 
 /// Registers from the start that `find_start` finds. Its answer replaces `best` if it stays near
 /// that start and `best` is elsewhere, because two ways to measure agree then; otherwise if it is
-/// the more similar one. Without such an answer, what is far from the start and not certain is not
-/// believed any more.
+/// the more similar one. If its answer is not believed, nothing far from that start is that is not
+/// certain (refuse_if_doubtful()).
 void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& best) {
   if (!find_start) return;
   starts.features_asked = true;
@@ -145,14 +173,7 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
     lenient.min_overlap *= 0.67;
     found.fault = find_fault(found.result, situation_of(found, false), lenient);
   }
-  // Enough for a camera that was lost.
-  const auto is_certain = [&](const Registered& registered) {
-    return find_fault(registered.result, situation_of(registered, true), options.lost).empty();
-  };
-  const SE3 T_start_best = starts.T_keyframe_found->inverse() * best.result.T_fixed_moving;
-  const bool best_is_elsewhere =
-      best.is_believed() &&
-      (T_start_best.translation().norm() >= 0.15 /* m */ || T_start_best.angle() >= 0.15 /* rad */);
+  const bool best_is_elsewhere = best.is_believed() && is_elsewhere(best);
   if (found.is_believed()) {
     const bool is_as_good = found.result.cos_theta > kAsGood * best.result.cos_theta;
     const bool is_better = !best.is_believed() ||
@@ -160,8 +181,8 @@ void Tracker::Impl::try_found_start(const StartFinder& find_start, Registered& b
                                        (is_as_good && opinion(best) != FeatureOpinion::kAgrees))) ||
                            found.result.cos_theta > best.result.cos_theta;
     if (is_better) best = found;
-  } else if (best_is_elsewhere && !is_certain(best)) {
-    best.fault = "the features of the images say that the camera is elsewhere";
+  } else {
+    starts.found_was_refused = true;
   }
 }
 
@@ -261,6 +282,11 @@ Registered Tracker::Impl::register_to_remade_keyframe(const Registered& first) {
   Registered registered = register_from(first.T_world_camera, options.recovery_scales);
   registered.promoted_keyframe = first.promoted_keyframe;
   registered.doubt = first.doubt;  // it is the same motion
+  if (registered.result.status != RegistrationStatus::kFailed &&
+      opinion_on(registered.result.T_fixed_moving, first.result.T_fixed_moving) ==
+          FeatureOpinion::kAgrees) {
+    registered.fault.clear();  // features may have made up for a weak match
+  }
   if (registered.evidence) registered.evidence = first.evidence;
   return registered;
 }

@@ -32,6 +32,7 @@ def runs_of(cell):
             "features_asked": system.get("features_asked"),  # None in odometry, and in such cells
             "frames": len(range(report["begin"], report["end"], report["step"])),
             "cpu_ms": system["cpu_ms"]["mean"],
+            "path_m": report.get("reference_path_m"),  # None in cells of older programs
         }
     return runs
 
@@ -68,7 +69,8 @@ def summarise(runs, other):
     wrong, checked = count_wrong(runs)
     row = {"runs": len(runs), "lost": sum(run["lost"] for run in runs.values()),
            "wrong": wrong, "wrong_of": checked, "features_asked": share_asked(runs),
-           "cpu_ms": statistics.median(values(runs, "cpu_ms"))}
+           "cpu_ms": statistics.median(values(runs, "cpu_ms")),
+           "path_m": next(iter(runs.values()))["path_m"]}
     for figure in FIGURES:
         found = values(runs, figure)
         if not found:
@@ -137,6 +139,16 @@ def features_text(rows, mode):
         return ""
     asked = [f"{row['sequence']} {row['features_asked']:.1%}" for row in rows if row["features_asked"]]
     return "Share of the frames for which features were asked: " + ", ".join(asked + ["all others 0"]) + "."
+
+
+def path_text(rows, mode):
+    """The ATE as a share of the length of the path."""
+    rows = [row for row in rows if row["mode"] == mode and row.get("path_m") and "ate_mm" in row]
+    if not rows:
+        return ""
+    shares = [f"{row['sequence']} {row['ate_mm'] * 1e-3 / row['path_m']:.2%} of {row['path_m']:.1f} m"
+              for row in rows]
+    return "ATE as a share of the path: " + ", ".join(shares) + "."
 
 
 def others_table(folder, sequences, rows):

@@ -346,5 +346,19 @@ TEST_F(LostFrames, AFoundStartIsNotTakenBlindly) {
   expect_lost(tracker_.track(frames_.frame(60, kElsewhere), find_nonsense).record, "");
 }
 
+TEST_F(LostFrames, WhatFeaturesRefuseIsNotTakenFromAnotherStart) {
+  const StartFinder find_nonsense = [](const RgbdFrame&, const SE3&, const RgbdFrame&) {
+    return SE3(so3_exp({0, 1, 0}), {0.5, 0, 0});
+  };
+  options_.keyframe.max_translation = 0;  // each frame becomes the keyframe
+  options_.lost.max_speed = options_.lost.max_angular_speed = 1000;
+  use(options_);
+  for (std::size_t i = 0; i < 3; ++i) expect_tracked(track(i));
+  // An overlap that is enough for a frame, but not against what features say.
+  const FrameRecord record = tracker_.track(frames_.frame(3, 24), find_nonsense).record;
+  EXPECT_GT(record.registration.overlap, options_.lost.min_overlap);
+  expect_lost(record, "the features of the images say that the camera is elsewhere");
+}
+
 }  // namespace
 }  // namespace cvo_slam
