@@ -74,7 +74,7 @@ low-rates: program ## Run the suite on thinned recordings, write docs/results/lo
 	NAME=low-rates TITLE='Low frame rates' bench/run_suite.sh --config set=low_rates
 
 .PHONY: image-sizes
-image-sizes: program ## Run the suite on images from 256x192 to 3840x2160, write docs/results/image-sizes.md
+image-sizes: program ## Run the suite on images from 256x192 to 3840x2160, write their page of results
 	NAME=image-sizes TITLE='Sizes of images' bench/run_suite.sh --config set=sizes
 
 .PHONY: depth-clock
