@@ -69,9 +69,9 @@ struct LostOptions {
   double max_angular_speed = 6.0;
   /// Largest probability that the pose is wrong by more than 5 cm or 3 degrees, in [0, 1]
   /// (FrameRecord::doubt); 1 = any. Lower it where a wrong pose is worse than none: 0.5 refuses
-  /// two fifths of those that are wrong and have passed all else, and 7 in 1000 of those that are right.
-  /// Nothing is lost by default, because at a few frames a second most of that is right; but above
-  /// 0.5 another keyframe, the last tracked frame, is asked.
+  /// two fifths of those that are wrong and have passed all else, and 7 in 1000 of those that are
+  /// right. Nothing is lost by default, because at a few frames a second most of that is right; but
+  /// above 0.5 another keyframe, the last tracked frame, is asked.
   double max_doubt = 1;
   /// Time from the first lost frame on after which a new submap starts [s]: 0.3 s, 10 frames at
   /// 30 Hz, bridge a hand before the camera.
