@@ -60,8 +60,9 @@ struct FrameStarts {
   std::optional<SE3> T_seen;            // the same, turned as the images say
   std::optional<SE3> T_keyframe_found;  // by features, to the keyframe
   bool features_asked = false;
-  bool found_was_refused = false;  // true if the registration from there is not believed
-  std::vector<Answer> answers;     // that registrations to the keyframe gave
+  bool found_was_refused = false;    // true if the registration from there is not believed
+  std::vector<Answer> answers;       // that registrations to the keyframe gave
+  std::vector<SE3> T_world_refused;  // believed answers that were refused, and their rivals
 
   /// Forgets what is known relative to the keyframe, which is another one now.
   void forget_keyframe() {
@@ -73,6 +74,7 @@ struct FrameStarts {
   void clear() {
     forget_keyframe();
     T_seen.reset();
+    T_world_refused.clear();
     features_asked = false;
   }
 };
@@ -135,6 +137,7 @@ struct Tracker::Impl {
   [[nodiscard]] bool is_elsewhere(const Registered& registered) const;
   [[nodiscard]] bool is_certain(const Registered& registered) const;
   void refuse_if_doubtful(Registered& registered) const;
+  void refuse_for_now(Registered& registered);
   void find_doubt(Registered& registered) const;
   void find_rival(Registered& registered) const;
   Registered register_from(const SE3& T_world_camera_init, int skip);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -77,6 +76,16 @@ void Tracker::Impl::refuse_if_doubtful(Registered& registered) const {
                   registered.doubt, limit);
 }
 
+/// Does the same, and keeps what was refused, with its rival, to be tried with another keyframe.
+void Tracker::Impl::refuse_for_now(Registered& registered) {
+  const bool was_believed = registered.is_believed();
+  refuse_if_doubtful(registered);
+  if (!was_believed || registered.is_believed()) return;
+  starts.T_world_refused.push_back(registered.T_world_camera);
+  if (!registered.T_keyframe_rival) return;
+  starts.T_world_refused.push_back(keyframe->T_world_camera * *registered.T_keyframe_rival);
+}
+
 /// Registers from the predicted pose. If that fails or is doubtful, or if the last frame is long
 /// ago, also from where the images say that the camera has turned; if doubt is left, from where its
 /// features say that it is. If that fails too, without the velocity, and at last to the last
@@ -100,25 +109,16 @@ Registered Tracker::Impl::register_frame(const StartFinder& find_start) {
   // The velocity of long ago says little: a hand turns back at any time.
   if (predict && (motion.is_far(stamp) || registered.is_doubtful())) try_seen_start(registered);
   if (registered.is_doubtful()) try_found_start(find_start, registered);
-  std::vector<SE3> T_world_refused;  // is tried with another keyframe
-  const auto refuse = [&] {
-    const bool was_believed = registered.is_believed();
-    refuse_if_doubtful(registered);
-    if (!was_believed || registered.is_believed()) return;
-    T_world_refused.push_back(registered.T_world_camera);
-    if (!registered.T_keyframe_rival) return;
-    T_world_refused.push_back(keyframe->T_world_camera * *registered.T_keyframe_rival);
-  };
-  refuse();
+  refuse_for_now(registered);
   if (!registered.is_believed() && from_velocity) {
     registered = register_from(pose_as_seen(SE3()), 0);
-    refuse();
+    refuse_for_now(registered);
   }
   if (!registered.is_believed() && !keyframe->is_last_tracked) {
     make_keyframe();
     starts.forget_keyframe();
     registered = register_from(predict ? pose_as_seen(SE3()) : motion.last_pose(), 0);
-    for (const SE3& T_world_camera : T_world_refused) {
+    for (const SE3& T_world_camera : starts.T_world_refused) {
       take_if_better(register_from(T_world_camera, 0), registered);
     }
     if (registered.is_doubtful()) try_found_start(find_start, registered);
