@@ -214,7 +214,8 @@ def main():
                  "of two programs were not measured in one run."]
     for mode in arguments.modes:
         text += ["", f"## {mode}", "", table(rows, mode, against), "",
-                 wrong_text(rows, mode, arguments.cells), "", features_text(rows, mode)]
+                 wrong_text(rows, mode, arguments.cells), "", features_text(rows, mode), "",
+                 path_text(rows, mode)]
     if arguments.others:
         text += ["", "## Other systems", "", "One run of each, beside the medians of our odometry.", "",
                  others_table(arguments.others, arguments.sequences, rows)]
