@@ -120,16 +120,9 @@ void DepthRegistration::project_row(const std::uint16_t* depth, int depth_row,
   const float* ray_x = ray_x_.data() + first;
   const float* ray_y = ray_y_.data() + first;
   const float* ray_z = ray_z_.data() + first;
-  float* row_u = row.u.data();
-  float* row_v = row.v.data();
-  float* row_z = row.z.data();
-  float* row_scale = row.scale.data();
   const auto [tx, ty, tz] = translation_;
-  const auto fx = static_cast<float>(color_.fx);
-  const auto fy = static_cast<float>(color_.fy);
-  const auto cx = static_cast<float>(color_.cx);
-  const auto cy = static_cast<float>(color_.cy);
-  const float max_radius2 = max_radius2_;
+  const Eigen::Vector4f k =
+      Eigen::Vector4d(color_.fx, color_.fy, color_.cx, color_.cy).cast<float>();
   const auto distortion = to_float(color_.distortion);
   const bool is_distorted = color_.has_distortion();
   for (std::size_t i = 0; i < width; ++i) {
@@ -140,16 +133,16 @@ void DepthRegistration::project_row(const std::uint16_t* depth, int depth_row,
     float y = (units * ray_y[i] + ty) * inverse_z;
     // NOLINTBEGIN(readability-implicit-bool-conversion)
     const bool visible =
-        (units > 0) & (z >= 1) & (z < kFarthestUnits) & (x * x + y * y <= max_radius2);
+        (units > 0) & (z >= 1) & (z < kFarthestUnits) & (x * x + y * y <= max_radius2_);
     // NOLINTEND(readability-implicit-bool-conversion)
     if (is_distorted) apply_brown_distortion(distortion, x, y);
-    const float u = fx * x + cx;
-    const float v = fy * y + cy;
+    const float u = k[0] * x + k[2];
+    const float v = k[1] * y + k[3];
     const float scale = units * inverse_z;
-    row_u[i] = visible ? u : 0;
-    row_v[i] = visible ? v : 0;
-    row_z[i] = visible ? z : kNothing;
-    row_scale[i] = visible ? scale : 0;
+    row.u[i] = visible ? u : 0;
+    row.v[i] = visible ? v : 0;
+    row.z[i] = visible ? z : kNothing;
+    row.scale[i] = visible ? scale : 0;
   }
 }
 
